@@ -1,0 +1,136 @@
+"""Kernels into files, through the templates: C99 (header, terms, entries) and NumPy.
+
+Everything a template prints is computed here; the same inputs give the same bytes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import jinja2
+
+from chainrule.derive import sincos
+from chainrule.derive.listing import NUMPY, C, Listing, lay_out, leaf_source, runs
+from chainrule.derive.lower import Kernel, Port
+
+TEMPLATES = Path(__file__).resolve().parent.parent / "templates"
+
+#: A tile's arrays should stay in the first-level cache: 64 configurations did best, fewer where a kernel is large.
+TILES = (64, 32, 16, 8)
+CACHE_BYTES = 40 * 1024
+
+#: Headers every kernel includes, and the template each is made from.
+SHARED = {"chainrule_real.h": "real.h.j2", "chainrule_sincos.h": "sincos.h.j2", "chainrule_batch.h": "batch.h.j2"}
+
+
+@cache
+def _environment() -> jinja2.Environment:
+    return jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        autoescape=False,
+    )
+
+
+def shared_headers() -> dict[str, str]:
+    """The headers that do not depend on the arm."""
+    return {name: _environment().get_template(template).render(sincos=sincos.context() if "sincos" in name else {})
+            for name, template in SHARED.items()}
+
+
+def unit(name: str, prefix: str, title: str, kernels: Sequence[Kernel], digest: str, shared: str = "../") -> dict[str, str]:
+    """The files of one unit, by name: header, C, its included terms, NumPy.
+
+    Args:
+        name: file stem, such as ``panda_kinematics``.
+        prefix: what C symbols begin with, such as ``panda``.
+        title: what the unit is, in words.
+        kernels: its functions.
+        digest: digest of everything the unit depends on.
+        shared: where the shared headers are, relative to the unit.
+    """
+    views = [_c_view(prefix, kernel) for kernel in kernels]
+    width = max(v["rows"] for v in views)
+    tile = next((t for t in TILES if width * t * 8 <= CACHE_BYTES), TILES[-1])
+    common = {"unit": name, "title": title, "digest": digest, "tile": tile, "shared": shared,
+              "guard": f"CHAINRULE_{name.upper()}_H"}
+    files = {
+        f"{name}.{suffix}": _environment().get_template(f"kernel.{suffix}.j2").render(functions=views, **common)
+        for suffix in ("h", "c", "inc")
+    }
+    numpy_views = [_numpy_view(kernel) for kernel in kernels]
+    files[f"{name}.py"] = _environment().get_template("kernel.py.j2").render(functions=numpy_views, **common)
+    return files
+
+
+def _port(port: Port) -> dict[str, Any]:
+    return {"name": port.name, "size": port.size, "shape": port.shape,
+            "dims": "".join(f"[{extent}]" for extent in port.shape) or " (one number)"}
+
+
+def _accesses(ports: Sequence[Port], first_place: int, first_step: int) -> list[dict[str, Any]]:
+    """How the batch entry reaches each argument: its place, and "rows, columns, row stride, column stride"."""
+    found, step = [], first_step
+    for place, port in enumerate(ports, first_place):
+        axes = len(port.shape)
+        rows = port.shape[0] if axes == 2 else 1
+        columns = port.shape[-1] if axes else 1
+        column_step = f"steps[{step + axes - 1}]" if axes else "(ptrdiff_t)sizeof(real)"
+        row_step = f"steps[{step}]" if axes == 2 else f"{columns} * {column_step}"
+        found.append({"name": port.name, "place": place, "access": f"{rows}, {columns}, {row_step}, {column_step}"})
+        step += axes
+    return found
+
+
+def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
+    listing = Listing(kernel, C)
+    layout = lay_out(listing)
+    ports = kernel.inputs + kernel.outputs
+    used = {run.port for run in runs(kernel, listing.angles)} | {
+        leaf_source(kernel, listing.angles, index)[0] for index, v in enumerate(kernel.values) if v.op == "input"
+    }
+    count = len(kernel.inputs)
+    accesses = _accesses(ports, 0, len(ports))
+    return {
+        "symbol": f"{prefix}_{kernel.name}",
+        "summary": kernel.summary,
+        "operations": kernel.operations,
+        "inputs": [{**_port(p), **a} for p, a in zip(kernel.inputs, accesses[:count], strict=True)],
+        "outputs": [{**_port(p), **a} for p, a in zip(kernel.outputs, accesses[count:], strict=True)],
+        "arguments": ", ".join(port.name for port in ports),
+        "unused": [port.name for port in kernel.inputs if port.name not in used],
+        "angles": len(listing.angles),
+        "runs": runs(kernel, listing.angles),
+        "slots": layout.slots,
+        "sections": layout.sections,
+        "rows": sum(p.size for p in ports) + 2 * len(listing.angles) + layout.slots,
+    }
+
+
+def _numpy_view(kernel: Kernel) -> dict[str, Any]:
+    listing = Listing(kernel, NUMPY)
+    loads = []
+    for index, value in enumerate(kernel.values):
+        if value.op == "input":
+            loads.append(f"{listing.names[index]} = {kernel.inputs[int(value.args[0])].name}[..., {value.args[1]}]")
+        elif value.op in ("sin", "cos"):
+            loads.append(f"{listing.names[index]} = np.{value.op}({listing.names[int(value.args[0])]})")
+    stores = [f"{port.name}[..., {row}] = {listing.text(operand)}"
+              for port, results in zip(kernel.outputs, kernel.results, strict=True)
+              for row, operand in enumerate(results)]
+    return {
+        "name": kernel.name,
+        "summary": kernel.summary,
+        "operations": kernel.operations,
+        "inputs": [_port(p) for p in kernel.inputs],
+        "outputs": [_port(p) for p in kernel.outputs],
+        "loads": loads,
+        "terms": [f"{listing.names[s.index]} = {s.text}" for s in listing.statements],
+        "stores": stores,
+    }

@@ -1,0 +1,241 @@
+"""A kernel as readable statements: names, nested expressions, sections; what the templates print.
+
+Values used once are written inside the expression that uses them, up to a few operations. A long listing is cut
+into sections, each one loop over the tile; a value needed in a later section is kept in an array whose places are
+used again.
+"""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from chainrule.derive.lower import Kernel, Operand, Port, Value
+from chainrule.errors import GenerationError
+
+#: Operations in one printed expression, and statements in one section (one loop).
+MOST_NESTED = 6
+MOST_STATEMENTS = 400
+
+_PRECEDENCE = {"add": 1, "sub": 1, "mul": 2, "div": 2, "inv": 2, "neg": 2}
+_SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
+
+
+@dataclass(frozen=True)
+class Language:
+    """How a language writes constants and the functions that are not operators."""
+
+    constant: Callable[[float], str]
+    call: dict[str, str]  # sqrt, abs, where (with {0}, {1})
+
+
+C = Language(lambda x: f"CR_C({x!r})", {"sqrt": "CR_SQRT({0})", "abs": "CR_FABS({0})",
+                                        "where": "({0} != CR_C(0.0) ? {1} : CR_C(0.0))"})
+NUMPY = Language(repr, {"sqrt": "np.sqrt({0})", "abs": "np.abs({0})", "where": "np.where({0} != 0.0, {1}, 0.0)"})
+
+
+@dataclass(frozen=True)
+class Run:
+    """Neighbouring entries of one input whose sines and cosines are computed together."""
+
+    port: str
+    entry: int
+    angle: int
+    count: int
+
+
+@dataclass(frozen=True)
+class Section:
+    """One loop: values loaded, terms computed, entries stored."""
+
+    loads: tuple[str, ...]
+    terms: tuple[str, ...]
+    stores: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A named value: its index, its text and the named values its text reads."""
+
+    index: int
+    text: str
+    reads: tuple[int, ...]
+
+
+class Listing:
+    """The statements of a kernel in one language, before they are laid out."""
+
+    def __init__(self, kernel: Kernel, language: Language) -> None:
+        self.kernel, self.language = kernel, language
+        self.angles = _angles(kernel)
+        self.names = _leaf_names(kernel, self.angles)
+        self._texts: dict[int, tuple[str, int, int, tuple[int, ...]]] = {}
+        uses = [0] * len(kernel.values)
+        for operand in [a for v in kernel.values if v.op != "input" for a in v.args] + [
+            e for out in kernel.results for e in out
+        ]:
+            if isinstance(operand, int):
+                uses[operand] += 1
+        self.statements: list[Statement] = []
+        for index, value in enumerate(kernel.values):
+            if index in self.names or value.op in ("input", "sin", "cos"):
+                continue
+            text, precedence, size, reads = self._expression(value)
+            if uses[index] == 1 and size <= MOST_NESTED:
+                self._texts[index] = (text, precedence, size, reads)
+            else:
+                self.names[index] = f"t{len(self.statements) + 1}"
+                self.statements.append(Statement(index, text, reads))
+
+    def text(self, operand: Operand) -> str:
+        """An entry of the results, as text."""
+        return self._operand(operand)[0]
+
+    def reads(self, operand: Operand) -> tuple[int, ...]:
+        """The named values that this text reads."""
+        return self._operand(operand)[3]
+
+    def _operand(self, operand: Operand) -> tuple[str, int, int, tuple[int, ...]]:
+        if isinstance(operand, float):
+            return self.language.constant(operand), 4 if operand >= 0 else 3, 0, ()
+        if operand in self.names:
+            return self.names[operand], 4, 0, (operand,)
+        return self._texts[operand]
+
+    def _expression(self, value: Value) -> tuple[str, int, int, tuple[int, ...]]:
+        parts = [self._operand(a) for a in value.args]
+        size = 1 + sum(part[2] for part in parts)
+        reads = tuple(dict.fromkeys(r for part in parts for r in part[3]))
+        op, level = value.op, _PRECEDENCE.get(value.op, 4)
+
+        def side(k: int, least: int) -> str:
+            return parts[k][0] if parts[k][1] >= least else f"({parts[k][0]})"
+
+        if op in _SIGN:
+            # The right side of - and / binds one tighter; so does that of + and *, to keep the order of evaluation.
+            return f"{side(0, level)} {_SIGN[op]} {side(1, level + 1)}", level, size, reads
+        if op == "neg":
+            return f"-{side(0, 3)}", 3, size, reads
+        if op == "inv":
+            return f"{self.language.constant(1.0)} / {side(0, 3)}", level, size, reads
+        return self.language.call[op].format(side(0, 4), parts[-1][0]), 4, size, reads
+
+
+def _angles(kernel: Kernel) -> dict[tuple[int, int], int]:
+    """The angle number of each input entry whose sine or cosine is taken, in the order of the inputs."""
+    found = set()
+    for value in kernel.values:
+        if value.op in ("sin", "cos"):
+            source = kernel.values[value.args[0]] if isinstance(value.args[0], int) else None
+            if source is None or source.op != "input":
+                raise GenerationError(f"{kernel.name}: sine or cosine of something that is not an input entry; "
+                                      "write it with the addition theorem")
+            found.add((int(source.args[0]), int(source.args[1])))
+    return {entry: number for number, entry in enumerate(sorted(found))}
+
+
+def entry_name(port: Port, entry: int) -> str:
+    """The name of one input entry: ``q3``, ``parameters2``."""
+    return f"{port.name}{entry + 1}"
+
+
+def _leaf_names(kernel: Kernel, angles: dict[tuple[int, int], int]) -> dict[int, str]:
+    names = {}
+    for index, value in enumerate(kernel.values):
+        if value.op == "input":
+            names[index] = entry_name(kernel.inputs[int(value.args[0])], int(value.args[1]))
+        elif value.op in ("sin", "cos"):
+            source = kernel.values[int(value.args[0])]
+            port, entry = kernel.inputs[int(source.args[0])], int(source.args[1])
+            stem = "" if port.name == "q" else f"_{port.name}"
+            names[index] = f"{value.op[0]}{stem}{entry + 1}"
+    return names
+
+
+def runs(kernel: Kernel, angles: dict[tuple[int, int], int]) -> tuple[Run, ...]:
+    """Maximal runs of neighbouring entries among the angles."""
+    found: list[Run] = []
+    for (port, entry), angle in angles.items():
+        last = found[-1] if found else None
+        name = kernel.inputs[port].name
+        if last and last.port == name and last.entry + last.count == entry:
+            found[-1] = Run(name, last.entry, last.angle, last.count + 1)
+        else:
+            found.append(Run(name, entry, angle, 1))
+    return tuple(found)
+
+
+def leaf_source(kernel: Kernel, angles: dict[tuple[int, int], int], index: int) -> tuple[str, int]:
+    """Where a leaf comes from: array (an input's name, ``sine`` or ``cosine``) and row."""
+    value = kernel.values[index]
+    if value.op == "input":
+        return kernel.inputs[int(value.args[0])].name, int(value.args[1])
+    source = kernel.values[int(value.args[0])]
+    return {"sin": "sine", "cos": "cosine"}[value.op], angles[int(source.args[0]), int(source.args[1])]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """A listing cut into sections, with the number of kept values that are alive at once."""
+
+    sections: tuple[Section, ...]
+    slots: int
+
+
+def lay_out(listing: Listing) -> Layout:
+    """Cut into sections and give every value that crosses a cut a place in ``kept``."""
+    kernel, statements = listing.kernel, listing.statements
+    position = {s.index: k for k, s in enumerate(statements)}
+    # An output entry is stored in the section that completes it.
+    entries: list[tuple[int, str, tuple[int, ...]]] = []
+    for port, results in zip(kernel.outputs, kernel.results, strict=True):
+        for row, operand in enumerate(results):
+            reads = listing.reads(operand)
+            last = max((position[r] for r in reads if r in position), default=0)
+            entries.append((last, f"{port.name}[{row} * LANES + i] = {listing.text(operand)}", reads))
+    count = max(1, -(-len(statements) // MOST_STATEMENTS))
+    size = -(-len(statements) // count) if statements else 1
+
+    def section_of(place: int) -> int:
+        return min(place // size, count - 1)
+
+    last_use: dict[int, int] = {}
+    for k, statement in enumerate(statements):
+        for read in statement.reads:
+            if read in position:
+                last_use[read] = max(last_use.get(read, 0), section_of(k))
+    for place, _, reads in entries:
+        for read in reads:
+            if read in position:
+                last_use[read] = max(last_use.get(read, 0), section_of(place))
+    free: list[int] = []
+    slots = 0
+    slot_of: dict[int, int] = {}
+    sections = []
+    for number in range(count):
+        for read in [r for r, s in slot_of.items() if last_use[r] < number]:
+            heapq.heappush(free, slot_of.pop(read))
+        mine = statements[number * size : (number + 1) * size]
+        stored = [(text, reads) for place, text, reads in entries if section_of(place) == number]
+        own = {s.index for s in mine}
+        wanted = dict.fromkeys(r for reads in [*(s.reads for s in mine), *(r for _, r in stored)] for r in reads)
+        loads = []
+        for read in sorted(wanted):
+            if read in own:
+                continue
+            if read in position:
+                loads.append(f"{listing.names[read]} = kept[{slot_of[read]} * LANES + i]")
+            else:
+                array, row = leaf_source(kernel, listing.angles, read)
+                loads.append(f"{listing.names[read]} = {array}[{row} * LANES + i]")
+        terms = [f"const real {listing.names[s.index]} = {s.text}" for s in mine]
+        keep = []
+        for statement in mine:
+            if last_use.get(statement.index, number) > number:
+                slot = heapq.heappop(free) if free else slots
+                slots = max(slots, slot + 1)
+                slot_of[statement.index] = slot
+                keep.append(f"kept[{slot} * LANES + i] = {listing.names[statement.index]}")
+        sections.append(Section(tuple(loads), tuple(terms), (*keep, *(text for text, _ in stored))))
+    return Layout(tuple(sections), slots)

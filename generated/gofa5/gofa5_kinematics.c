@@ -1,0 +1,174 @@
+/* gofa5_kinematics.c: kinematics of gofa5.
+ * Made from templates/kernel.c.j2; inputs 60313ea2728bdf2db8583a5df17ac9e34dc1ddbd607dd525523c756270acf8ff. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "gofa5_kinematics.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char gofa5_kinematics_digest[] = "60313ea2728bdf2db8583a5df17ac9e34dc1ddbd607dd525523c756270acf8ff";
+#endif
+
+#define LANES 64
+#define TERMS(name) name##_tile
+#include "gofa5_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "gofa5_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(gofa5_position)(const real *q, real *position)
+{
+    gofa5_position_one(q, position);
+}
+
+void CHAINRULE_NAME(gofa5_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real position[3 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_position_one(q, position);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_position_tile(q, position);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(gofa5_pose)(const real *q, real *pose)
+{
+    gofa5_pose_one(q, pose);
+}
+
+void CHAINRULE_NAME(gofa5_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real pose[16 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_pose_one(q, pose);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_pose_tile(q, pose);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(gofa5_jacobian_position)(const real *q, real *jacobian)
+{
+    gofa5_jacobian_position_one(q, jacobian);
+}
+
+void CHAINRULE_NAME(gofa5_jacobian_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real jacobian[18 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_jacobian_position_one(q, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_jacobian_position_tile(q, jacobian);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(gofa5_jacobian_pose)(const real *q, real *jacobian)
+{
+    gofa5_jacobian_pose_one(q, jacobian);
+}
+
+void CHAINRULE_NAME(gofa5_jacobian_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real jacobian[36 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_jacobian_pose_one(q, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            gofa5_jacobian_pose_tile(q, jacobian);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(gofa5_kinematics_position)(const real *q, real *position, real *jacobian)
+{
+    gofa5_kinematics_position_one(q, position, jacobian);
+}
+
+void CHAINRULE_NAME(gofa5_kinematics_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real position[3 * 64];
+    real jacobian[18 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            gofa5_kinematics_position_one(q, position, jacobian);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            gofa5_kinematics_position_tile(q, position, jacobian);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(gofa5_kinematics_pose)(const real *q, real *pose, real *jacobian)
+{
+    gofa5_kinematics_pose_one(q, pose, jacobian);
+}
+
+void CHAINRULE_NAME(gofa5_kinematics_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real pose[16 * 64];
+    real jacobian[36 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            gofa5_kinematics_pose_one(q, pose, jacobian);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            gofa5_kinematics_pose_tile(q, pose, jacobian);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7]);
+        }
+    }
+}

@@ -1,0 +1,129 @@
+/* jaco2_position.c: manipulability (position) of jaco2.
+ * Made from templates/kernel.c.j2; inputs 9051d394d44d45747894768e248099975dfc758792ae1a395643b27edb63e11c. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "jaco2_position.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char jaco2_position_digest[] = "9051d394d44d45747894768e248099975dfc758792ae1a395643b27edb63e11c";
+#endif
+
+#define LANES 64
+#define TERMS(name) name##_tile
+#include "jaco2_position.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "jaco2_position.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(jaco2_manipulability_position)(const real *q, real *manipulability)
+{
+    jaco2_manipulability_position_one(q, manipulability);
+}
+
+void CHAINRULE_NAME(jaco2_manipulability_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real manipulability[1 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            jaco2_manipulability_position_one(q, manipulability);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            jaco2_manipulability_position_tile(q, manipulability);
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+        }
+    }
+}
+
+void CHAINRULE_NAME(jaco2_manipulability_gradient_position)(const real *q, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
+{
+    jaco2_manipulability_gradient_position_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+}
+
+void CHAINRULE_NAME(jaco2_manipulability_gradient_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real manipulability[1 * 64];
+    real gradient[6 * 64];
+    real inverse_gradient[6 * 64];
+    real inverse_root_gradient[6 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
+            jaco2_manipulability_gradient_position_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
+            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
+            jaco2_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
+            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
+            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(jaco2_minors_position)(const real *q, real *minors)
+{
+    jaco2_minors_position_one(q, minors);
+}
+
+void CHAINRULE_NAME(jaco2_minors_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real minors[20 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            jaco2_minors_position_one(q, minors);
+            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            jaco2_minors_position_tile(q, minors);
+            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(jaco2_null_projector_position)(const real *q, real *null_projector)
+{
+    jaco2_null_projector_position_one(q, null_projector);
+}
+
+void CHAINRULE_NAME(jaco2_null_projector_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real null_projector[36 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            jaco2_null_projector_position_one(q, null_projector);
+            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            jaco2_null_projector_position_tile(q, null_projector);
+            chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+        }
+    }
+}

@@ -1,0 +1,578 @@
+"""manipulability (position) of jaco2, in NumPy.
+
+Made from templates/kernel.py.j2; inputs 9051d394d44d45747894768e248099975dfc758792ae1a395643b27edb63e11c.
+Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def manipulability_position(q):
+    """manipulability H = sqrt(det(J J^T)) of the position Jacobian: 166 operations.
+
+    in   q[6]
+    out  manipulability (one number)
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s2 = np.sin(q2)
+    s3 = np.sin(q3)
+    q4 = q[..., 3]
+    s4 = np.sin(q4)
+    q5 = q[..., 4]
+    c5 = np.cos(q5)
+    s5 = np.sin(q5)
+    c4 = np.cos(q4)
+
+    # terms
+    t1 = 0.41 * c2
+    t2 = c3 * s2 - c2 * s3
+    t3 = t1 + 0.2500816549469513 * t2
+    t4 = c2 * c3 + s2 * s3
+    t5 = s4 * t4
+    t6 = t3 + 0.04278165494695127 * t2 - 0.07409999999999999 * t5
+    t7 = c5 * (0.5000000000000001 * t5 + 0.8660254037844386 * t2) + s5 * (t4 * c4)
+    t8 = -0.5000000000000001 * t2 + 0.8660254037844386 * t5
+    t9 = t6 - 0.17561406460551018 * t7 - 0.10139082747347566 * t8
+    t10 = t9 * t9
+    t11 = 0.41 * s2
+    t12 = t11 - 0.2500816549469513 * t4
+    t13 = t2 * s4
+    t14 = t12 - 0.04278165494695127 * t4 - 0.07409999999999999 * t13
+    t15 = c5 * (0.8660254037844386 * t4 - 0.5000000000000001 * t13) - s5 * (t2 * c4)
+    t16 = 0.8660254037844386 * t13 - -0.5000000000000001 * t4
+    t17 = t14 + 0.17561406460551018 * t15 - 0.10139082747347566 * t16
+    t18 = t17 - t11
+    t19 = t9 - t1
+    t20 = t9 * t19
+    t21 = t10 * t18 - t17 * t20
+    t22 = t2 * (t17 - t12) + t4 * (t9 - t3)
+    t23 = t9 * t22
+    t24 = 0.07409999999999999 * c4 - 0.0098
+    t25 = t24 + 0.17561406460551018 * (c5 * (0.5000000000000001 * c4) - s4 * s5) - -0.0878070323027551 * c4
+    t26 = 0.0098 + t25
+    t27 = t4 * t26
+    t28 = t2 * t26
+    t29 = t9 * t28
+    t30 = t23 * t25 - (t10 * t27 + t17 * t29)
+    t31 = t17 - t14
+    t32 = -0.8660254037844386 * c4
+    t33 = t25 - t24
+    t34 = t31 * t32 - t16 * t33
+    t35 = t9 - t6
+    t36 = t8 * t33 - t32 * t35
+    t37 = t9 * t36
+    t38 = t16 * t35 - t8 * t31
+    t39 = t9 * t38
+    t40 = t10 * t34 + t17 * t37 + t25 * t39
+    t41 = t19 * t22
+    t42 = t20 * t27 + t18 * t29 - t25 * t41
+    t43 = t21 * t21 + t30 * t30 + t40 * t40 + t42 * t42
+    t44 = t19 * t38
+    t45 = t20 * t34 + t18 * t37 + t25 * t44
+    t46 = t22 * t36 + t28 * t38
+    t47 = t27 * t37 - t29 * t34 - t25 * t46
+    t48 = t18 * t23 - t17 * t41
+    t49 = t18 * t39 - t17 * t44
+    t50 = t43 + t45 * t45 + t47 * t47 + t48 * t48 + t49 * t49
+    t51 = t23 * t34 + t27 * t39 + t17 * t46
+    t52 = t34 * t41 + t18 * t46 + t27 * t44
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    manipulability[..., 0] = np.sqrt((t50 + t51 * t51 + t52 * t52))
+    return manipulability.reshape(leading)
+
+
+def manipulability_gradient_position(q):
+    """H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the position Jacobian, columns in lexicographic order: 484 operations.
+
+    in   q[6]
+    out  manipulability (one number)
+    out  gradient[6]
+    out  inverse_gradient[6]
+    out  inverse_root_gradient[6]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s2 = np.sin(q2)
+    s3 = np.sin(q3)
+    q4 = q[..., 3]
+    s4 = np.sin(q4)
+    q5 = q[..., 4]
+    c5 = np.cos(q5)
+    s5 = np.sin(q5)
+    c4 = np.cos(q4)
+
+    # terms
+    t1 = 0.41 * c2
+    t2 = c3 * s2 - c2 * s3
+    t3 = t1 + 0.2500816549469513 * t2
+    t4 = c2 * c3 + s2 * s3
+    t5 = s4 * t4
+    t6 = t3 + 0.04278165494695127 * t2 - 0.07409999999999999 * t5
+    t7 = 0.5000000000000001 * t5 + 0.8660254037844386 * t2
+    t8 = t4 * c4
+    t9 = -0.5000000000000001 * t2 + 0.8660254037844386 * t5
+    t10 = t6 - 0.17561406460551018 * (c5 * t7 + s5 * t8) - 0.10139082747347566 * t9
+    t11 = t10 * t10
+    t12 = 0.41 * s2
+    t13 = t12 - 0.2500816549469513 * t4
+    t14 = t2 * s4
+    t15 = t13 - 0.04278165494695127 * t4 - 0.07409999999999999 * t14
+    t16 = 0.8660254037844386 * t4 - 0.5000000000000001 * t14
+    t17 = t2 * c4
+    t18 = 0.8660254037844386 * t14 - -0.5000000000000001 * t4
+    t19 = t15 + 0.17561406460551018 * (c5 * t16 - s5 * t17) - 0.10139082747347566 * t18
+    t20 = t19 - t12
+    t21 = t10 - t1
+    t22 = t10 * t21
+    t23 = t11 * t20 - t19 * t22
+    t24 = t19 - t13
+    t25 = t10 - t3
+    t26 = t2 * t24 + t4 * t25
+    t27 = t10 * t26
+    t28 = 0.07409999999999999 * c4 - 0.0098
+    t29 = 0.5000000000000001 * c4
+    t30 = t28 + 0.17561406460551018 * (c5 * t29 - s4 * s5) - -0.0878070323027551 * c4
+    t31 = 0.0098 + t30
+    t32 = t4 * t31
+    t33 = t2 * t31
+    t34 = t10 * t33
+    t35 = t27 * t30 - (t11 * t32 + t19 * t34)
+    t36 = t19 - t15
+    t37 = -0.8660254037844386 * c4
+    t38 = t30 - t28
+    t39 = t36 * t37 - t18 * t38
+    t40 = t10 - t6
+    t41 = t9 * t38 - t37 * t40
+    t42 = t10 * t41
+    t43 = t18 * t40 - t9 * t36
+    t44 = t10 * t43
+    t45 = t11 * t39 + t19 * t42 + t30 * t44
+    t46 = t21 * t26
+    t47 = t22 * t32 + t20 * t34 - t30 * t46
+    t48 = t23 * t23 + t35 * t35 + t45 * t45 + t47 * t47
+    t49 = t21 * t43
+    t50 = t22 * t39 + t20 * t42 + t30 * t49
+    t51 = t26 * t41 + t33 * t43
+    t52 = t32 * t42 - t34 * t39 - t30 * t51
+    t53 = t20 * t27 - t19 * t46
+    t54 = t20 * t44 - t19 * t49
+    t55 = t48 + t50 * t50 + t52 * t52 + t53 * t53 + t54 * t54
+    t56 = t27 * t39 + t32 * t44 + t19 * t51
+    t57 = t39 * t46 + t20 * t51 + t32 * t49
+    t58 = np.sqrt((t55 + t56 * t56 + t57 * t57))
+    t59 = t57 / t58
+    t60 = t56 / t58
+    t61 = t52 / t58
+    t62 = t47 / t58
+    t63 = t49 * t59 + t44 * t60 + t42 * t61 + t22 * t62
+    t64 = t35 / t58
+    t65 = t63 - t11 * t64
+    t66 = t20 * t59 + t19 * t60 - t30 * t61
+    t67 = t53 / t58
+    t68 = t39 * t59 - t19 * t67 - t30 * t62
+    t69 = t39 * t60 + t20 * t67 + t30 * t64
+    t70 = t41 * t66 + t21 * t68 + t10 * t69
+    t71 = t54 / t58
+    t72 = t50 / t58
+    t73 = t32 * t59 - t19 * t71 + t30 * t72
+    t74 = t45 / t58
+    t75 = t32 * t60 + t20 * t71 + t30 * t74
+    t76 = t33 * t66 + t21 * t73 + t10 * t75
+    t77 = t46 * t59 + t27 * t60 - t34 * t61 + t22 * t72
+    t78 = t77 + t11 * t74
+    t79 = t51 * t60 - t49 * t71 - t46 * t67 + t42 * t74
+    t80 = t37 * t78 - t9 * t76
+    t81 = t2 * t70
+    t82 = t23 / t58
+    t83 = t51 * t59 + t44 * t71 + t27 * t67 + t42 * t72
+    t84 = t83 + t34 * t62 + t11 * t82
+    t85 = t79 + t80 - t34 * t64 + t81 - t22 * t82 + t84
+    t86 = t40 * t76 - t38 * t78 - 0.10139082747347566 * t85
+    t87 = 0.17561406460551018 * t85
+    t88 = c5 * t87
+    t89 = t31 * t65 + t25 * t70 - -0.5000000000000001 * t86 + 0.8660254037844386 * t88
+    t90 = t85 - t80
+    t91 = t90 - t81
+    t92 = t89 - 0.04278165494695127 * t90 - 0.2500816549469513 * t91
+    t93 = t32 * t61 + t20 * t72 + t19 * t74
+    t94 = t26 * t66 + t10 * t93
+    t95 = t18 * t76 - t37 * t94
+    t96 = t20 * t62 - t39 * t61 - t19 * t64
+    t97 = t43 * t75 + t41 * t93 + t95 + t33 * t96 + t26 * t69
+    t98 = t4 * t70
+    t99 = t39 * t72 + t32 * t62 - t19 * t82
+    t100 = t43 * t73 + t26 * t68 + t10 * t99
+    t101 = (t10 + t10) * (t39 * t74 - t32 * t64 + t20 * t82)
+    t102 = t97 + t98 + t21 * t99 + t100 + t101
+    t103 = t38 * t94 - t36 * t76 - 0.10139082747347566 * t102
+    t104 = 0.17561406460551018 * t102
+    t105 = c5 * t104
+    t106 = t102 - t95
+    t107 = 0.8660254037844386 * t103 - 0.5000000000000001 * t105 - 0.07409999999999999 * t106
+    t108 = s5 * t104
+    t109 = s4 * t107 - c4 * t108
+    t110 = t43 * t66 + t10 * t96
+    t111 = s5 * t87
+    t112 = 0.8660254037844386 * t86 - 0.5000000000000001 * t88 - 0.07409999999999999 * t90
+    t113 = t31 * t110 + t24 * t70 - c4 * t111 + s4 * t112
+    t114 = t106 - t98
+    t115 = t113 + -0.5000000000000001 * t103 - 0.8660254037844386 * t105 + 0.04278165494695127 * t106 + 0.2500816549469513 * t114
+    t116 = s3 * t92 + 0.41 * (t91 - t84) + s3 * t109 + c3 * t115
+    t117 = c3 * t92 + c3 * t109 - s3 * t115 + 0.41 * (t114 - t100)
+    t118 = c2 * t116 - s2 * t117
+    t119 = c3 * (s2 * t92 + s2 * t109 - c2 * t115) - s3 * (c2 * t92 + c2 * t109 + s2 * t115)
+    t120 = t49 * t72 - t51 * t61 - t46 * t62 + t44 * t74
+    t121 = t9 * t94 - t18 * t78
+    t122 = t120 + t121 + (t2 * t110 + t4 * t65) + t27 * t64
+    t123 = 0.17561406460551018 * t122
+    t124 = -0.8660254037844386 * (t36 * t78 - t40 * t94) - -0.0878070323027551 * t122 + 0.5000000000000001 * (c5 * t123)
+    t125 = t124 + 0.07409999999999999 * (t122 - t121) - t2 * t111 - t4 * t108
+    t126 = c4 * (t2 * t112 - s5 * t123 + t4 * t107) - s4 * t125
+    t127 = c5 * (s4 * t123 + t17 * t87 + t8 * t104) + s5 * (t29 * t123 + t16 * t87 - t7 * t104)
+    t128 = 1.0 / t58
+    t129 = t128 * t128
+    t130 = -0.5 / t58 * np.sqrt(t128)
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    gradient = np.empty((*leading, 6), real)
+    inverse_gradient = np.empty((*leading, 6), real)
+    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability[..., 0] = t58
+    gradient[..., 0] = 0.0
+    gradient[..., 1] = np.where(t58 != 0.0, t118, 0.0)
+    gradient[..., 2] = np.where(t58 != 0.0, t119, 0.0)
+    gradient[..., 3] = np.where(t58 != 0.0, t126, 0.0)
+    gradient[..., 4] = np.where(t58 != 0.0, -t127, 0.0)
+    gradient[..., 5] = 0.0
+    inverse_gradient[..., 0] = 0.0
+    inverse_gradient[..., 1] = np.where(t58 != 0.0, -(t118 * t129), 0.0)
+    inverse_gradient[..., 2] = np.where(t58 != 0.0, -(t119 * t129), 0.0)
+    inverse_gradient[..., 3] = np.where(t58 != 0.0, -(t126 * t129), 0.0)
+    inverse_gradient[..., 4] = np.where(t58 != 0.0, t127 * t129, 0.0)
+    inverse_gradient[..., 5] = 0.0
+    inverse_root_gradient[..., 0] = 0.0
+    inverse_root_gradient[..., 1] = np.where(t58 != 0.0, t118 * t130, 0.0)
+    inverse_root_gradient[..., 2] = np.where(t58 != 0.0, t119 * t130, 0.0)
+    inverse_root_gradient[..., 3] = np.where(t58 != 0.0, t126 * t130, 0.0)
+    inverse_root_gradient[..., 4] = np.where(t58 != 0.0, -(t127 * t130), 0.0)
+    inverse_root_gradient[..., 5] = 0.0
+    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+
+
+def minors_position(q):
+    """maximal minors of the position Jacobian, columns in lexicographic order: 148 operations.
+
+    in   q[6]
+    out  minors[20]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s2 = np.sin(q2)
+    s3 = np.sin(q3)
+    q4 = q[..., 3]
+    s4 = np.sin(q4)
+    q5 = q[..., 4]
+    c5 = np.cos(q5)
+    s5 = np.sin(q5)
+    c4 = np.cos(q4)
+
+    # terms
+    t1 = 0.41 * c2
+    t2 = c3 * s2 - c2 * s3
+    t3 = t1 + 0.2500816549469513 * t2
+    t4 = c2 * c3 + s2 * s3
+    t5 = s4 * t4
+    t6 = t3 + 0.04278165494695127 * t2 - 0.07409999999999999 * t5
+    t7 = c5 * (0.5000000000000001 * t5 + 0.8660254037844386 * t2) + s5 * (t4 * c4)
+    t8 = -0.5000000000000001 * t2 + 0.8660254037844386 * t5
+    t9 = t6 - 0.17561406460551018 * t7 - 0.10139082747347566 * t8
+    t10 = t9 * t9
+    t11 = 0.41 * s2
+    t12 = t11 - 0.2500816549469513 * t4
+    t13 = t2 * s4
+    t14 = t12 - 0.04278165494695127 * t4 - 0.07409999999999999 * t13
+    t15 = c5 * (0.8660254037844386 * t4 - 0.5000000000000001 * t13) - s5 * (t2 * c4)
+    t16 = 0.8660254037844386 * t13 - -0.5000000000000001 * t4
+    t17 = t14 + 0.17561406460551018 * t15 - 0.10139082747347566 * t16
+    t18 = t17 - t11
+    t19 = t9 - t1
+    t20 = t9 * t19
+    t21 = t2 * (t17 - t12) + t4 * (t9 - t3)
+    t22 = t9 * t21
+    t23 = 0.07409999999999999 * c4 - 0.0098
+    t24 = t23 + 0.17561406460551018 * (c5 * (0.5000000000000001 * c4) - s4 * s5) - -0.0878070323027551 * c4
+    t25 = 0.0098 + t24
+    t26 = t4 * t25
+    t27 = t2 * t25
+    t28 = t9 * t27
+    t29 = t17 - t14
+    t30 = -0.8660254037844386 * c4
+    t31 = t24 - t23
+    t32 = t29 * t30 - t16 * t31
+    t33 = t9 - t6
+    t34 = t8 * t31 - t30 * t33
+    t35 = t9 * t34
+    t36 = t16 * t33 - t8 * t29
+    t37 = t9 * t36
+    t38 = t19 * t21
+    t39 = t19 * t36
+    t40 = t21 * t34 + t27 * t36
+
+    # results
+    minors = np.empty((*leading, 20), real)
+    minors[..., 0] = t10 * t18 - t17 * t20
+    minors[..., 1] = t22 * t24 - (t10 * t26 + t17 * t28)
+    minors[..., 2] = t10 * t32 + t17 * t35 + t24 * t37
+    minors[..., 3] = 0.0
+    minors[..., 4] = t20 * t26 + t18 * t28 - t24 * t38
+    minors[..., 5] = -(t20 * t32 + t18 * t35 + t24 * t39)
+    minors[..., 6] = 0.0
+    minors[..., 7] = t26 * t35 - t28 * t32 - t24 * t40
+    minors[..., 8] = 0.0
+    minors[..., 9] = 0.0
+    minors[..., 10] = t18 * t22 - t17 * t38
+    minors[..., 11] = t18 * t37 - t17 * t39
+    minors[..., 12] = 0.0
+    minors[..., 13] = -(t22 * t32 + t26 * t37 + t17 * t40)
+    minors[..., 14] = 0.0
+    minors[..., 15] = 0.0
+    minors[..., 16] = t32 * t38 + t18 * t40 + t26 * t39
+    minors[..., 17] = 0.0
+    minors[..., 18] = 0.0
+    minors[..., 19] = 0.0
+    return minors.reshape(leading + (20,))
+
+
+def null_projector_position(q):
+    """projector I - J^+ J onto the null space of the position Jacobian: 621 operations.
+
+    in   q[6]
+    out  null_projector[6][6]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q4 = q[..., 3]
+    c4 = np.cos(q4)
+    q5 = q[..., 4]
+    c5 = np.cos(q5)
+    s4 = np.sin(q4)
+    s5 = np.sin(q5)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+
+    # terms
+    t1 = 0.07409999999999999 * c4 - 0.0098
+    t2 = t1 + 0.17561406460551018 * (c5 * (0.5000000000000001 * c4) - s4 * s5) - -0.0878070323027551 * c4
+    t3 = 0.41 * s2
+    t4 = c2 * c3 + s2 * s3
+    t5 = t3 - 0.2500816549469513 * t4
+    t6 = s2 * c3 - c2 * s3
+    t7 = s4 * t6
+    t8 = t5 - 0.04278165494695127 * t4 - 0.07409999999999999 * t7
+    t9 = c5 * (0.8660254037844386 * t4 - 0.5000000000000001 * t7) - s5 * (c4 * t6)
+    t10 = 0.8660254037844386 * t7 - -0.5000000000000001 * t4
+    t11 = t8 + 0.17561406460551018 * t9 - 0.10139082747347566 * t10
+    t12 = t11 - t3
+    t13 = 0.0098 + t2
+    t14 = t4 * t13
+    t15 = t2 * t2 + t11 * t11 + t12 * t12 + t14 * t14
+    t16 = t11 - t8
+    t17 = -0.8660254037844386 * c4
+    t18 = t2 - t1
+    t19 = t16 * t17 - t10 * t18
+    t20 = np.sqrt((t15 + t19 * t19))
+    t21 = np.where(t20 != 0.0, t2 / t20, 0.0)
+    t22 = np.where(t20 != 0.0, t11 / t20, 0.0)
+    t23 = t12 / t20
+    t24 = t21 * t21 + t22 * t22 + np.where(t20 != 0.0, np.where(t20 != 0.0, t23 * t23, 0.0), 0.0)
+    t25 = t14 / t20
+    t26 = t19 / t20
+    t27 = t24 + np.where(t20 != 0.0, np.where(t20 != 0.0, t25 * t25, 0.0), 0.0) + np.where(t20 != 0.0, np.where(t20 != 0.0, t26 * t26, 0.0), 0.0)
+    t28 = np.sqrt(t27)
+    t29 = t21 / t28
+    t30 = 0.41 * c2
+    t31 = t30 + 0.2500816549469513 * t6
+    t32 = s4 * t4
+    t33 = t31 + 0.04278165494695127 * t6 - 0.07409999999999999 * t32
+    t34 = c5 * (0.5000000000000001 * t32 + 0.8660254037844386 * t6) + s5 * (c4 * t4)
+    t35 = -0.5000000000000001 * t6 + 0.8660254037844386 * t32
+    t36 = t33 - 0.17561406460551018 * t34 - 0.10139082747347566 * t35
+    t37 = t25 / t28
+    t38 = t6 * (t11 - t5) + t4 * (t36 - t31)
+    t39 = np.where(t28 != 0.0, -(t29 * t36), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t38), 0.0), 0.0)
+    t40 = t26 / t28
+    t41 = t36 - t33
+    t42 = t10 * t41 - t16 * t35
+    t43 = t39 + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t42, 0.0), 0.0)
+    t44 = t36 - np.where(t28 != 0.0, -(t29 * t43), 0.0)
+    t45 = t22 / t28
+    t46 = np.where(t28 != 0.0, -(t43 * t45), 0.0)
+    t47 = t23 / t28
+    t48 = np.where(t20 != 0.0, np.where(t28 != 0.0, t43 * t47, 0.0), 0.0)
+    t49 = t38 - np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t43), 0.0), 0.0)
+    t50 = t44 * t44 + t46 * t46 + t48 * t48 + t49 * t49
+    t51 = t42 - np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t43, 0.0), 0.0)
+    t52 = np.sqrt((t50 + t51 * t51))
+    t53 = t44 / t52
+    t54 = t46 / t52
+    t55 = t48 / t52
+    t56 = np.where(t28 != 0.0, t45 * t54 - t29 * t53, 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t47 * t55), 0.0), 0.0)
+    t57 = t49 / t52
+    t58 = t51 / t52
+    t59 = t56 + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t57), 0.0), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t58, 0.0), 0.0)
+    t60 = np.where(t52 != 0.0, t53, 0.0) - np.where(t28 != 0.0, np.where(t52 != 0.0, -(t29 * t59), 0.0), 0.0)
+    t61 = np.where(t52 != 0.0, -t54, 0.0) - np.where(t28 != 0.0, np.where(t52 != 0.0, -(t45 * t59), 0.0), 0.0)
+    t62 = np.where(t52 != 0.0, -t55, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t52 != 0.0, t47 * t59, 0.0), 0.0), 0.0)
+    t63 = np.where(t52 != 0.0, t57, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t52 != 0.0, -(t37 * t59), 0.0), 0.0), 0.0)
+    t64 = t60 * t60 + t61 * t61 + t62 * t62 + t63 * t63
+    t65 = np.where(t52 != 0.0, t58, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t52 != 0.0, t40 * t59, 0.0), 0.0), 0.0)
+    t66 = np.sqrt((t64 + t65 * t65))
+    t67 = t60 / t66
+    t68 = 1.0 - np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t29, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0)
+    t69 = t6 * t13
+    t70 = np.where(t28 != 0.0, -(t36 * t45), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t69, 0.0), 0.0)
+    t71 = t18 * t35 - t17 * t41
+    t72 = t36 - t30
+    t73 = t70 + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t71, 0.0), 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t72, 0.0), 0.0)
+    t74 = t29 * t73
+    t75 = t36 - np.where(t28 != 0.0, -(t45 * t73), 0.0)
+    t76 = t61 / t66
+    t77 = t72 + np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t73, 0.0), 0.0)
+    t78 = t62 / t66
+    t79 = t75 * t76 - np.where(t28 != 0.0, -(t67 * t74), 0.0) - t77 * t78
+    t80 = t69 + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t73), 0.0), 0.0)
+    t81 = t63 / t66
+    t82 = t71 - np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t73, 0.0), 0.0)
+    t83 = t65 / t66
+    t84 = t79 - t80 * t81 + t82 * t83
+    t85 = np.where(t28 != 0.0, -t74, 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t84, 0.0), 0.0)
+    t86 = t75 - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t84, 0.0), 0.0)
+    t87 = t77 + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t84, 0.0), 0.0)
+    t88 = t80 + np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t84, 0.0), 0.0)
+    t89 = t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88
+    t90 = t82 - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t84, 0.0), 0.0)
+    t91 = np.sqrt((t89 + t90 * t90))
+    t92 = t85 / t91
+    t93 = t86 / t91
+    t94 = t87 / t91
+    t95 = np.where(t28 != 0.0, t29 * t92 - t45 * t93, 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t47 * t94), 0.0), 0.0)
+    t96 = t88 / t91
+    t97 = t90 / t91
+    t98 = t95 + np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t96, 0.0), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t97, 0.0), 0.0)
+    t99 = np.where(t91 != 0.0, -t92, 0.0) - np.where(t28 != 0.0, np.where(t91 != 0.0, -(t29 * t98), 0.0), 0.0)
+    t100 = np.where(t91 != 0.0, t93, 0.0) - np.where(t28 != 0.0, np.where(t91 != 0.0, -(t45 * t98), 0.0), 0.0)
+    t101 = np.where(t91 != 0.0, -t94, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t91 != 0.0, t47 * t98, 0.0), 0.0), 0.0)
+    t102 = np.where(t91 != 0.0, -t96, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t91 != 0.0, -(t37 * t98), 0.0), 0.0), 0.0)
+    t103 = t67 * t99 + t76 * t100 + t78 * t101 + t81 * t102
+    t104 = np.where(t91 != 0.0, t97, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t91 != 0.0, t40 * t98, 0.0), 0.0), 0.0)
+    t105 = t103 + t83 * t104
+    t106 = t99 - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t105, 0.0), 0.0)
+    t107 = t100 - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t105, 0.0), 0.0)
+    t108 = t101 - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t105, 0.0), 0.0)
+    t109 = t102 - np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t105, 0.0), 0.0)
+    t110 = t106 * t106 + t107 * t107 + t108 * t108 + t109 * t109
+    t111 = t104 - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t105, 0.0), 0.0)
+    t112 = np.sqrt((t110 + t111 * t111))
+    t113 = t106 / t112
+    t114 = np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t45, 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t76, 0.0), 0.0)
+    t115 = t107 / t112
+    t116 = -(t114 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t115, 0.0), 0.0))
+    t117 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t29 * t47), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t78, 0.0), 0.0)
+    t118 = t108 / t112
+    t119 = -(t117 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t118, 0.0), 0.0))
+    t120 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t37, 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t81, 0.0), 0.0)
+    t121 = t109 / t112
+    t122 = -(t120 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t121, 0.0), 0.0))
+    t123 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t29 * t40), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t83, 0.0), 0.0)
+    t124 = t111 / t112
+    t125 = -(t123 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t124, 0.0), 0.0))
+    t126 = 1.0 - np.where(t28 != 0.0, np.where(t28 != 0.0, t45 * t45, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t76, 0.0), 0.0)
+    t127 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t45 * t47), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t78, 0.0), 0.0)
+    t128 = -(t127 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t118, 0.0), 0.0))
+    t129 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, t37 * t45, 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t81, 0.0), 0.0)
+    t130 = -(t129 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t121, 0.0), 0.0))
+    t131 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t40 * t45), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t83, 0.0), 0.0)
+    t132 = -(t131 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t124, 0.0), 0.0))
+    t133 = 1.0 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t78, 0.0), 0.0)
+    t134 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t47), 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t81, 0.0), 0.0)
+    t135 = -(t134 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t121, 0.0), 0.0))
+    t136 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t47, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t83, 0.0), 0.0)
+    t137 = -(t136 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t124, 0.0), 0.0))
+    t138 = 1.0 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t81, 0.0), 0.0)
+    t139 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t40), 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t83, 0.0), 0.0)
+    t140 = -(t139 + np.where(t112 != 0.0, np.where(t112 != 0.0, t121 * t124, 0.0), 0.0))
+    t141 = 1.0 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
+
+    # results
+    null_projector = np.empty((*leading, 36), real)
+    null_projector[..., 0] = t68 - np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t113, 0.0), 0.0)
+    null_projector[..., 1] = t116
+    null_projector[..., 2] = t119
+    null_projector[..., 3] = t122
+    null_projector[..., 4] = t125
+    null_projector[..., 5] = 0.0
+    null_projector[..., 6] = t116
+    null_projector[..., 7] = t126 - np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t115, 0.0), 0.0)
+    null_projector[..., 8] = t128
+    null_projector[..., 9] = t130
+    null_projector[..., 10] = t132
+    null_projector[..., 11] = 0.0
+    null_projector[..., 12] = t119
+    null_projector[..., 13] = t128
+    null_projector[..., 14] = t133 - np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t118, 0.0), 0.0)
+    null_projector[..., 15] = t135
+    null_projector[..., 16] = t137
+    null_projector[..., 17] = 0.0
+    null_projector[..., 18] = t122
+    null_projector[..., 19] = t130
+    null_projector[..., 20] = t135
+    null_projector[..., 21] = t138 - np.where(t112 != 0.0, np.where(t112 != 0.0, t121 * t121, 0.0), 0.0)
+    null_projector[..., 22] = t140
+    null_projector[..., 23] = 0.0
+    null_projector[..., 24] = t125
+    null_projector[..., 25] = t132
+    null_projector[..., 26] = t137
+    null_projector[..., 27] = t140
+    null_projector[..., 28] = t141 - np.where(t112 != 0.0, np.where(t112 != 0.0, t124 * t124, 0.0), 0.0)
+    null_projector[..., 29] = 0.0
+    null_projector[..., 30] = 0.0
+    null_projector[..., 31] = 0.0
+    null_projector[..., 32] = 0.0
+    null_projector[..., 33] = 0.0
+    null_projector[..., 34] = 0.0
+    null_projector[..., 35] = 1.0
+    return null_projector.reshape(leading + (6, 6))

@@ -1,0 +1,192 @@
+/* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
+ * Made from templates/kernel.c.j2; inputs aab661c8661507eefe2d1ce63e059f4cc4c7a4cb629ee786e80a364b3aa7700e. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "orthogonal_3r_kinematics.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char orthogonal_3r_kinematics_digest[] = "aab661c8661507eefe2d1ce63e059f4cc4c7a4cb629ee786e80a364b3aa7700e";
+#endif
+
+#define LANES 64
+#define TERMS(name) name##_tile
+#include "orthogonal_3r_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "orthogonal_3r_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(orthogonal_3r_position)(const real *q, const real *parameters, real *position)
+{
+    orthogonal_3r_position_one(q, parameters, position);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real position[3 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_position_one(q, parameters, position);
+            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_position_tile(q, parameters, position);
+            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(orthogonal_3r_pose)(const real *q, const real *parameters, real *pose)
+{
+    orthogonal_3r_pose_one(q, parameters, pose);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real pose[16 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_pose_one(q, parameters, pose);
+            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_pose_tile(q, parameters, pose);
+            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(orthogonal_3r_jacobian_position)(const real *q, const real *parameters, real *jacobian)
+{
+    orthogonal_3r_jacobian_position_one(q, parameters, jacobian);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_jacobian_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real jacobian[9 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_jacobian_position_one(q, parameters, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_jacobian_position_tile(q, parameters, jacobian);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(orthogonal_3r_jacobian_pose)(const real *q, const real *parameters, real *jacobian)
+{
+    orthogonal_3r_jacobian_pose_one(q, parameters, jacobian);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_jacobian_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real jacobian[18 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_jacobian_pose_one(q, parameters, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            orthogonal_3r_jacobian_pose_tile(q, parameters, jacobian);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(orthogonal_3r_kinematics_position)(const real *q, const real *parameters, real *position, real *jacobian)
+{
+    orthogonal_3r_kinematics_position_one(q, parameters, position, jacobian);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_kinematics_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real position[3 * 64];
+    real jacobian[9 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            orthogonal_3r_kinematics_position_one(q, parameters, position, jacobian);
+            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            orthogonal_3r_kinematics_position_tile(q, parameters, position, jacobian);
+            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(orthogonal_3r_kinematics_pose)(const real *q, const real *parameters, real *pose, real *jacobian)
+{
+    orthogonal_3r_kinematics_pose_one(q, parameters, pose, jacobian);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_kinematics_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real pose[16 * 64];
+    real jacobian[18 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            orthogonal_3r_kinematics_pose_one(q, parameters, pose, jacobian);
+            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7]);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            orthogonal_3r_kinematics_pose_tile(q, parameters, pose, jacobian);
+            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7]);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9]);
+        }
+    }
+}

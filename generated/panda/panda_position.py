@@ -1,0 +1,722 @@
+"""manipulability (position) of panda, in NumPy.
+
+Made from templates/kernel.py.j2; inputs e9981318c865a6f9669fae93ebe8a794a5553c6d737a920b0ae09ea7ae2fe6e8.
+Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def manipulability_position(q):
+    """manipulability H = sqrt(det(J J^T)) of the position Jacobian: 237 operations.
+
+    in   q[7]
+    out  manipulability (one number)
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q5 = q[..., 4]
+    s5 = np.sin(q5)
+    q4 = q[..., 3]
+    c4 = np.cos(q4)
+    s4 = np.sin(q4)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    q6 = q[..., 5]
+    s6 = np.sin(q6)
+    c3 = np.cos(q3)
+    c5 = np.cos(q5)
+    c6 = np.cos(q6)
+    c2 = np.cos(q2)
+
+    # terms
+    t1 = 0.0825 * s5
+    t2 = s5 * c4
+    t3 = t1 - 0.0825 * t2
+    t4 = s5 * s4
+    t5 = t3 - 0.316 * t4
+    t6 = s5 * s6
+    t7 = s6 * c5
+    t8 = c4 * t7 + s4 * c6
+    t9 = c4 * c6 - s4 * t7
+    t10 = s2 * (s3 * t6 - c3 * t8) - c2 * t9
+    t11 = 0.0825 * t7 + 0.384 * c6
+    t12 = 0.0825 * t8 - t11
+    t13 = -0.107 - (t12 - 0.316 * t9)
+    t14 = s2 * (t2 * c3 + s3 * c5) - t4 * c2
+    t15 = t5 * t10 + t13 * t14
+    t16 = s5 * c6
+    t17 = c5 * c6
+    t18 = c4 * t17 - s4 * s6
+    t19 = c3 * t16 + s3 * t18
+    t20 = 0.0825 * t17 - 0.384 * s6
+    t21 = t20 - 0.0825 * t18
+    t22 = c4 * s6 + s4 * t17
+    t23 = 0.088 - (t21 - 0.316 * t22)
+    t24 = t2 * s3 - c3 * c5
+    t25 = t5 * t19 + t23 * t24
+    t26 = s2 * (c3 * t18 - s3 * t16) - c2 * t22
+    t27 = t5 * t26 + t14 * t23
+    t28 = t6 * c3 + s3 * t8
+    t29 = t5 * t28 - t13 * t24
+    t30 = t15 * t25 + t27 * t29
+    t31 = -0.107 - t12
+    t32 = 0.088 - t21
+    t33 = t22 * t31 - t9 * t32
+    t34 = t3 * t22 + t4 * t32
+    t35 = t3 * t9 + t4 * t31
+    t36 = t29 * t34 + t25 * t35
+    t37 = t10 * t23 - t13 * t26
+    t38 = t15 * t34 - t27 * t35
+    t39 = t13 * t19 + t23 * t28
+    t40 = t30 * t33 + t36 * t37 - t38 * t39
+    t41 = 0.088 - t20
+    t42 = c5 * t41 - t1 * t16
+    t43 = -0.107 + t11
+    t44 = t1 * t6 + c5 * t43
+    t45 = t29 * t42 + t25 * t44
+    t46 = t6 * t41 + t16 * t43
+    t47 = t15 * t42 - t27 * t44
+    t48 = t37 * t45 - t30 * t46 - t39 * t47
+    t49 = -0.107 * s6 - 0.088 * c6
+    t50 = t30 * t49
+    t51 = 0.088 * t29 - 0.107 * t25
+    t52 = 0.088 * t15 + 0.107 * t27
+    t53 = t37 * t51 - t39 * t52
+    t54 = t40 * t40 + t48 * t48 + t50 * t50 + t53 * t53
+    t55 = t34 * t44 - t35 * t42
+    t56 = t37 * t55 - t38 * t46 - t33 * t47
+    t57 = t38 * t49
+    t58 = 0.088 * t35 + 0.107 * t34
+    t59 = t37 * t58 + t33 * t52
+    t60 = t47 * t49
+    t61 = t54 + t56 * t56 + t57 * t57 + t59 * t59 + t60 * t60
+    t62 = 0.088 * t44 + 0.107 * t42
+    t63 = t46 * t52 - t37 * t62
+    t64 = t49 * t52
+    t65 = t39 * t55 - t36 * t46 - t33 * t45
+    t66 = t36 * t49
+    t67 = t61 + t63 * t63 + t64 * t64 + t65 * t65 + t66 * t66
+    t68 = t39 * t58 + t33 * t51
+    t69 = t45 * t49
+    t70 = t46 * t51 - t39 * t62
+    t71 = t49 * t51
+    t72 = t67 + t68 * t68 + t69 * t69 + t70 * t70 + t71 * t71
+    t73 = t49 * t55
+    t74 = t33 * t62 + t46 * t58
+    t75 = t49 * t58
+    t76 = t49 * t62
+    t77 = t72 + t73 * t73 + t74 * t74 + t75 * t75 + t76 * t76
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    manipulability[..., 0] = np.sqrt(t77)
+    return manipulability.reshape(leading)
+
+
+def manipulability_gradient_position(q):
+    """H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the position Jacobian, columns in lexicographic order: 702 operations.
+
+    in   q[7]
+    out  manipulability (one number)
+    out  gradient[7]
+    out  inverse_gradient[7]
+    out  inverse_root_gradient[7]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q5 = q[..., 4]
+    s5 = np.sin(q5)
+    q4 = q[..., 3]
+    c4 = np.cos(q4)
+    s4 = np.sin(q4)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    q6 = q[..., 5]
+    s6 = np.sin(q6)
+    c3 = np.cos(q3)
+    c5 = np.cos(q5)
+    c6 = np.cos(q6)
+    c2 = np.cos(q2)
+
+    # terms
+    t1 = 0.0825 * s5
+    t2 = s5 * c4
+    t3 = t1 - 0.0825 * t2
+    t4 = s5 * s4
+    t5 = t3 - 0.316 * t4
+    t6 = s5 * s6
+    t7 = s6 * c5
+    t8 = c4 * t7 + s4 * c6
+    t9 = s3 * t6 - c3 * t8
+    t10 = c4 * c6 - s4 * t7
+    t11 = s2 * t9 - c2 * t10
+    t12 = 0.0825 * t7 + 0.384 * c6
+    t13 = 0.0825 * t8 - t12
+    t14 = -0.107 - (t13 - 0.316 * t10)
+    t15 = t2 * c3 + s3 * c5
+    t16 = s2 * t15 - t4 * c2
+    t17 = t5 * t11 + t14 * t16
+    t18 = s5 * c6
+    t19 = c5 * c6
+    t20 = c4 * t19 - s4 * s6
+    t21 = c3 * t18 + s3 * t20
+    t22 = 0.0825 * t19 - 0.384 * s6
+    t23 = t22 - 0.0825 * t20
+    t24 = c4 * s6 + s4 * t19
+    t25 = 0.088 - (t23 - 0.316 * t24)
+    t26 = t2 * s3 - c3 * c5
+    t27 = t5 * t21 + t25 * t26
+    t28 = c3 * t20 - s3 * t18
+    t29 = s2 * t28 - c2 * t24
+    t30 = t5 * t29 + t16 * t25
+    t31 = t6 * c3 + s3 * t8
+    t32 = t5 * t31 - t14 * t26
+    t33 = t17 * t27 + t30 * t32
+    t34 = -0.107 - t13
+    t35 = 0.088 - t23
+    t36 = t24 * t34 - t10 * t35
+    t37 = t3 * t24 + t4 * t35
+    t38 = t3 * t10 + t4 * t34
+    t39 = t32 * t37 + t27 * t38
+    t40 = t11 * t25 - t14 * t29
+    t41 = t17 * t37 - t30 * t38
+    t42 = t14 * t21 + t25 * t31
+    t43 = t33 * t36 + t39 * t40 - t41 * t42
+    t44 = 0.088 - t22
+    t45 = c5 * t44 - t1 * t18
+    t46 = -0.107 + t12
+    t47 = t1 * t6 + c5 * t46
+    t48 = t32 * t45 + t27 * t47
+    t49 = t6 * t44 + t18 * t46
+    t50 = t17 * t45 - t30 * t47
+    t51 = t40 * t48 - t33 * t49 - t42 * t50
+    t52 = -0.107 * s6 - 0.088 * c6
+    t53 = t33 * t52
+    t54 = 0.088 * t32 - 0.107 * t27
+    t55 = 0.088 * t17 + 0.107 * t30
+    t56 = t40 * t54 - t42 * t55
+    t57 = t43 * t43 + t51 * t51 + t53 * t53 + t56 * t56
+    t58 = t37 * t47 - t38 * t45
+    t59 = t40 * t58 - t41 * t49 - t36 * t50
+    t60 = t41 * t52
+    t61 = 0.088 * t38 + 0.107 * t37
+    t62 = t40 * t61 + t36 * t55
+    t63 = t50 * t52
+    t64 = t57 + t59 * t59 + t60 * t60 + t62 * t62 + t63 * t63
+    t65 = 0.088 * t47 + 0.107 * t45
+    t66 = t49 * t55 - t40 * t65
+    t67 = t52 * t55
+    t68 = t42 * t58 - t39 * t49 - t36 * t48
+    t69 = t39 * t52
+    t70 = t64 + t66 * t66 + t67 * t67 + t68 * t68 + t69 * t69
+    t71 = t42 * t61 + t36 * t54
+    t72 = t48 * t52
+    t73 = t49 * t54 - t42 * t65
+    t74 = t52 * t54
+    t75 = t70 + t71 * t71 + t72 * t72 + t73 * t73 + t74 * t74
+    t76 = t52 * t58
+    t77 = t36 * t65 + t49 * t61
+    t78 = t52 * t61
+    t79 = t52 * t65
+    t80 = t75 + t76 * t76 + t77 * t77 + t78 * t78 + t79 * t79
+    t81 = np.sqrt(t80)
+    t82 = t67 / t81
+    t83 = t66 / t81
+    t84 = t62 / t81
+    t85 = t56 / t81
+    t86 = t52 * t82 + t49 * t83 + t36 * t84 - t42 * t85
+    t87 = t63 / t81
+    t88 = t59 / t81
+    t89 = t51 / t81
+    t90 = t52 * t87 - t36 * t88 - t42 * t89
+    t91 = t60 / t81
+    t92 = t43 / t81
+    t93 = t52 * t91 - t49 * t88 - t42 * t92
+    t94 = t53 / t81
+    t95 = t52 * t94 - t49 * t89 + t36 * t92
+    t96 = 0.107 * t86 - t47 * t90 - t38 * t93 + t32 * t95
+    t97 = t61 * t84 - t65 * t83 + t58 * t88 + t54 * t85
+    t98 = t97 + t48 * t89 + t39 * t92
+    t99 = t5 * t96 - t14 * t98
+    t100 = 0.088 * t86 + t45 * t90 + t37 * t93 + t27 * t95
+    t101 = t25 * t96 + t14 * t100
+    t102 = t25 * t98 + t5 * t100
+    t103 = s2 * (t24 * t99 + t4 * t101 + t10 * t102) + c2 * (t28 * t99 + t15 * t101 + t9 * t102)
+    t104 = t71 / t81
+    t105 = t73 / t81
+    t106 = t68 / t81
+    t107 = t61 * t104 - t65 * t105 + t58 * t106 - t55 * t85
+    t108 = t107 - t50 * t89 - t41 * t92
+    t109 = t74 / t81
+    t110 = t52 * t109 + t49 * t105 + t36 * t104 + t40 * t85
+    t111 = t72 / t81
+    t112 = t52 * t111 - t36 * t106 + t40 * t89
+    t113 = t69 / t81
+    t114 = t52 * t113 - t49 * t106 + t40 * t92
+    t115 = 0.088 * t110 + t45 * t112 + t37 * t114 + t30 * t95
+    t116 = t25 * t108 + t5 * t115
+    t117 = s2 * t99
+    t118 = t47 * t112 - 0.107 * t110 + t38 * t114 + t17 * t95
+    t119 = t25 * t118 - t14 * t115
+    t120 = t14 * t108 + t5 * t118
+    t121 = t8 * t116 - t18 * t117 + t2 * t119 + t20 * t120
+    t122 = s2 * t101
+    t123 = s2 * t102
+    t124 = t6 * t116 + t20 * t117 - c5 * t119 + t18 * t120
+    t125 = c3 * (t121 + c5 * t122 + t6 * t123) - s3 * (t124 + t2 * t122 - t8 * t123)
+    t126 = t78 / t81
+    t127 = t77 / t81
+    t128 = t52 * t126 + t49 * t127 + t42 * t104 + t40 * t84
+    t129 = t76 / t81
+    t130 = t52 * t129 + t42 * t106 + t40 * t88
+    t131 = 0.107 * t128 + t47 * t130 + t17 * t93 + t32 * t114
+    t132 = t65 * t127 + t54 * t104 - t48 * t106 + t55 * t84
+    t133 = t132 - t50 * t88 + t33 * t92
+    t134 = t31 * t108 + t11 * t98 + t16 * t96 + t26 * t118
+    t135 = t3 * t131 + t34 * t133 - c2 * t99 + 0.316 * t134
+    t136 = t134 + (t4 * t131 - t10 * t133)
+    t137 = c3 * t117 + 0.0825 * t136 + s3 * t120
+    t138 = 0.088 * t128 - t45 * t130 - t30 * t93 + t27 * t114
+    t139 = t21 * t108 - t29 * t98 - t26 * t115 + t16 * t100
+    t140 = t3 * t138 - t35 * t133 + 0.316 * t139 - c2 * t102
+    t141 = t139 + (t4 * t138 + t24 * t133)
+    t142 = s3 * t116 - 0.0825 * t141 - c3 * t123
+    t143 = t19 * t135 - s6 * t137 - t7 * t140 + c6 * t142
+    t144 = t31 * t115 + t29 * t96 + t21 * t118 + t11 * t100
+    t145 = t34 * t138 + t35 * t131 - c2 * t101 - 0.316 * t144
+    t146 = s6 * t135 + t19 * t137 + c6 * t140 + t7 * t142
+    t147 = t144 + (t10 * t138 + t24 * t131)
+    t148 = s3 * t119 + c3 * t122 - 0.0825 * t147
+    t149 = c4 * (t143 + s5 * t145) - s4 * (t146 + s5 * t148)
+    t150 = t61 * t127 + t54 * t105 - t39 * t106 + t55 * t83
+    t151 = t150 - t41 * t88 - t33 * t89
+    t152 = t79 / t81
+    t153 = t52 * t152 + t36 * t127 - t42 * t105 - t40 * t83
+    t154 = 0.107 * t153 - t38 * t130 + t17 * t90 + t32 * t112
+    t155 = t46 * t151 - t1 * t154 - s3 * t117 + c3 * t120
+    t156 = 0.088 * t153 + t37 * t130 - t30 * t90 + t27 * t112
+    t157 = t44 * t151 + t1 * t156 + c3 * t116 + s3 * t123
+    t158 = c6 * t155 + s6 * t157 + s4 * t145 + c4 * t148
+    t159 = c5 * (t158 + 0.0825 * (t147 + (t6 * t156 - t18 * t154)))
+    t160 = t136 + (t6 * t151 + c5 * t154)
+    t161 = s4 * t135 - 0.0825 * t160 + c4 * t137
+    t162 = t46 * t156 + t44 * t154 - c3 * t119 + c6 * t161
+    t163 = t141 + (t18 * t151 + c5 * t156)
+    t164 = 0.0825 * t163 - s4 * t140 + c4 * t142
+    t165 = t159 - s5 * (t162 + s3 * t122 + s6 * t164)
+    t166 = t65 * t152 + t61 * t126 + t58 * t129 + t54 * t109
+    t167 = t166 + t48 * t111 + t39 * t113 + t55 * t82 + t50 * t87
+    t168 = t167 + t41 * t91 + t33 * t94
+    t169 = -0.107 * t168 + c4 * t135 + 0.384 * t160 - s4 * t137
+    t170 = c5 * t161 - 0.088 * t168 + s5 * t155 + 0.384 * t163
+    t171 = c6 * (t169 + c5 * t164 + s5 * t157) - s6 * (t170 + c4 * t140 + s4 * t142)
+    t172 = 1.0 / t81
+    t173 = t172 * t172
+    t174 = -0.5 / t81 * np.sqrt(t172)
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    gradient = np.empty((*leading, 7), real)
+    inverse_gradient = np.empty((*leading, 7), real)
+    inverse_root_gradient = np.empty((*leading, 7), real)
+    manipulability[..., 0] = t81
+    gradient[..., 0] = 0.0
+    gradient[..., 1] = np.where(t81 != 0.0, t103, 0.0)
+    gradient[..., 2] = np.where(t81 != 0.0, t125, 0.0)
+    gradient[..., 3] = np.where(t81 != 0.0, t149, 0.0)
+    gradient[..., 4] = np.where(t81 != 0.0, t165, 0.0)
+    gradient[..., 5] = np.where(t81 != 0.0, t171, 0.0)
+    gradient[..., 6] = 0.0
+    inverse_gradient[..., 0] = 0.0
+    inverse_gradient[..., 1] = np.where(t81 != 0.0, -(t103 * t173), 0.0)
+    inverse_gradient[..., 2] = np.where(t81 != 0.0, -(t125 * t173), 0.0)
+    inverse_gradient[..., 3] = np.where(t81 != 0.0, -(t149 * t173), 0.0)
+    inverse_gradient[..., 4] = np.where(t81 != 0.0, -(t165 * t173), 0.0)
+    inverse_gradient[..., 5] = np.where(t81 != 0.0, -(t171 * t173), 0.0)
+    inverse_gradient[..., 6] = 0.0
+    inverse_root_gradient[..., 0] = 0.0
+    inverse_root_gradient[..., 1] = np.where(t81 != 0.0, t103 * t174, 0.0)
+    inverse_root_gradient[..., 2] = np.where(t81 != 0.0, t125 * t174, 0.0)
+    inverse_root_gradient[..., 3] = np.where(t81 != 0.0, t149 * t174, 0.0)
+    inverse_root_gradient[..., 4] = np.where(t81 != 0.0, t165 * t174, 0.0)
+    inverse_root_gradient[..., 5] = np.where(t81 != 0.0, t171 * t174, 0.0)
+    inverse_root_gradient[..., 6] = 0.0
+    return manipulability.reshape(leading), gradient.reshape(leading + (7,)), inverse_gradient.reshape(leading + (7,)), inverse_root_gradient.reshape(leading + (7,))
+
+
+def minors_position(q):
+    """maximal minors of the position Jacobian, columns in lexicographic order: 202 operations.
+
+    in   q[7]
+    out  minors[35]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q5 = q[..., 4]
+    s5 = np.sin(q5)
+    q4 = q[..., 3]
+    c4 = np.cos(q4)
+    s4 = np.sin(q4)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    q6 = q[..., 5]
+    s6 = np.sin(q6)
+    c3 = np.cos(q3)
+    c5 = np.cos(q5)
+    c6 = np.cos(q6)
+    c2 = np.cos(q2)
+
+    # terms
+    t1 = 0.0825 * s5
+    t2 = s5 * c4
+    t3 = t1 - 0.0825 * t2
+    t4 = s5 * s4
+    t5 = t3 - 0.316 * t4
+    t6 = s5 * s6
+    t7 = s6 * c5
+    t8 = c4 * t7 + s4 * c6
+    t9 = c4 * c6 - s4 * t7
+    t10 = s2 * (s3 * t6 - c3 * t8) - c2 * t9
+    t11 = 0.0825 * t7 + 0.384 * c6
+    t12 = 0.0825 * t8 - t11
+    t13 = -0.107 - (t12 - 0.316 * t9)
+    t14 = s2 * (t2 * c3 + s3 * c5) - t4 * c2
+    t15 = t5 * t10 + t13 * t14
+    t16 = s5 * c6
+    t17 = c5 * c6
+    t18 = c4 * t17 - s4 * s6
+    t19 = c3 * t16 + s3 * t18
+    t20 = 0.0825 * t17 - 0.384 * s6
+    t21 = t20 - 0.0825 * t18
+    t22 = c4 * s6 + s4 * t17
+    t23 = 0.088 - (t21 - 0.316 * t22)
+    t24 = t2 * s3 - c3 * c5
+    t25 = t5 * t19 + t23 * t24
+    t26 = s2 * (c3 * t18 - s3 * t16) - c2 * t22
+    t27 = t5 * t26 + t14 * t23
+    t28 = t6 * c3 + s3 * t8
+    t29 = t5 * t28 - t13 * t24
+    t30 = t15 * t25 + t27 * t29
+    t31 = -0.107 - t12
+    t32 = 0.088 - t21
+    t33 = t22 * t31 - t9 * t32
+    t34 = t3 * t22 + t4 * t32
+    t35 = t3 * t9 + t4 * t31
+    t36 = t29 * t34 + t25 * t35
+    t37 = t10 * t23 - t13 * t26
+    t38 = t15 * t34 - t27 * t35
+    t39 = t13 * t19 + t23 * t28
+    t40 = 0.088 - t20
+    t41 = c5 * t40 - t1 * t16
+    t42 = -0.107 + t11
+    t43 = t1 * t6 + c5 * t42
+    t44 = t29 * t41 + t25 * t43
+    t45 = t6 * t40 + t16 * t42
+    t46 = t15 * t41 - t27 * t43
+    t47 = -0.107 * s6 - 0.088 * c6
+    t48 = 0.088 * t29 - 0.107 * t25
+    t49 = 0.088 * t15 + 0.107 * t27
+    t50 = t34 * t43 - t35 * t41
+    t51 = 0.088 * t35 + 0.107 * t34
+    t52 = 0.088 * t43 + 0.107 * t41
+
+    # results
+    minors = np.empty((*leading, 35), real)
+    minors[..., 0] = t30 * t33 + t36 * t37 - t38 * t39
+    minors[..., 1] = t37 * t44 - t30 * t45 - t39 * t46
+    minors[..., 2] = t30 * t47
+    minors[..., 3] = t37 * t48 - t39 * t49
+    minors[..., 4] = 0.0
+    minors[..., 5] = t37 * t50 - t38 * t45 - t33 * t46
+    minors[..., 6] = t38 * t47
+    minors[..., 7] = -(t37 * t51 + t33 * t49)
+    minors[..., 8] = 0.0
+    minors[..., 9] = t46 * t47
+    minors[..., 10] = t45 * t49 - t37 * t52
+    minors[..., 11] = 0.0
+    minors[..., 12] = -(t47 * t49)
+    minors[..., 13] = 0.0
+    minors[..., 14] = 0.0
+    minors[..., 15] = t39 * t50 - t36 * t45 - t33 * t44
+    minors[..., 16] = t36 * t47
+    minors[..., 17] = -(t39 * t51 + t33 * t48)
+    minors[..., 18] = 0.0
+    minors[..., 19] = t44 * t47
+    minors[..., 20] = t45 * t48 - t39 * t52
+    minors[..., 21] = 0.0
+    minors[..., 22] = -(t47 * t48)
+    minors[..., 23] = 0.0
+    minors[..., 24] = 0.0
+    minors[..., 25] = t47 * t50
+    minors[..., 26] = -(t33 * t52 + t45 * t51)
+    minors[..., 27] = 0.0
+    minors[..., 28] = t47 * t51
+    minors[..., 29] = 0.0
+    minors[..., 30] = 0.0
+    minors[..., 31] = t47 * t52
+    minors[..., 32] = 0.0
+    minors[..., 33] = 0.0
+    minors[..., 34] = 0.0
+    return minors.reshape(leading + (35,))
+
+
+def null_projector_position(q):
+    """projector I - J^+ J onto the null space of the position Jacobian: 711 operations.
+
+    in   q[7]
+    out  null_projector[7][7]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q5 = q[..., 4]
+    s5 = np.sin(q5)
+    q4 = q[..., 3]
+    c4 = np.cos(q4)
+    s4 = np.sin(q4)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    q6 = q[..., 5]
+    s6 = np.sin(q6)
+    c3 = np.cos(q3)
+    c5 = np.cos(q5)
+    c6 = np.cos(q6)
+    c2 = np.cos(q2)
+
+    # terms
+    t1 = 0.0825 * s5
+    t2 = s5 * c4
+    t3 = t1 - 0.0825 * t2
+    t4 = s5 * s4
+    t5 = t3 - 0.316 * t4
+    t6 = s5 * s6
+    t7 = s6 * c5
+    t8 = c4 * t7 + s4 * c6
+    t9 = c4 * c6 - s4 * t7
+    t10 = s2 * (s3 * t6 - c3 * t8) - c2 * t9
+    t11 = 0.0825 * t7 + 0.384 * c6
+    t12 = 0.0825 * t8 - t11
+    t13 = -0.107 - (t12 - 0.316 * t9)
+    t14 = s2 * (t2 * c3 + s3 * c5) - t4 * c2
+    t15 = t5 * t10 + t13 * t14
+    t16 = t6 * c3 + s3 * t8
+    t17 = t2 * s3 - c3 * c5
+    t18 = t5 * t16 - t13 * t17
+    t19 = -0.107 - t12
+    t20 = t3 * t9 + t4 * t19
+    t21 = -0.107 + t11
+    t22 = t1 * t6 + c5 * t21
+    t23 = 0.011448999999999999 + t15 * t15 + t18 * t18 + t20 * t20 + t22 * t22
+    t24 = np.sqrt(t23)
+    t25 = t15 / t24
+    t26 = t18 / t24
+    t27 = t20 / t24
+    t28 = t22 / t24
+    t29 = t25 * t25 + t26 * t26 + t27 * t27 + t28 * t28
+    t30 = 0.107 / t24
+    t31 = np.sqrt(np.where(t24 != 0.0, np.where(t24 != 0.0, t29 + t30 * t30, 0.0), 0.0))
+    t32 = t25 / t31
+    t33 = c5 * c6
+    t34 = c4 * t33 - s4 * s6
+    t35 = s5 * c6
+    t36 = c4 * s6 + s4 * t33
+    t37 = s2 * (c3 * t34 - s3 * t35) - c2 * t36
+    t38 = 0.0825 * t33 - 0.384 * s6
+    t39 = t38 - 0.0825 * t34
+    t40 = 0.088 - (t39 - 0.316 * t36)
+    t41 = t5 * t37 + t14 * t40
+    t42 = t30 / t31
+    t43 = t26 / t31
+    t44 = c3 * t35 + s3 * t34
+    t45 = t5 * t44 + t17 * t40
+    t46 = t27 / t31
+    t47 = 0.088 - t39
+    t48 = t3 * t36 + t4 * t47
+    t49 = 0.088 * t42 - t32 * t41 + t43 * t45 - t46 * t48
+    t50 = t28 / t31
+    t51 = 0.088 - t38
+    t52 = c5 * t51 - t1 * t35
+    t53 = t49 - t50 * t52
+    t54 = t41 + np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t53, 0.0), 0.0), 0.0), 0.0)
+    t55 = t45 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t53, 0.0), 0.0), 0.0), 0.0)
+    t56 = t48 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t53), 0.0), 0.0), 0.0), 0.0)
+    t57 = t52 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t53), 0.0), 0.0), 0.0), 0.0)
+    t58 = t54 * t54 + t55 * t55 + t56 * t56 + t57 * t57
+    t59 = 0.088 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t53, 0.0), 0.0), 0.0), 0.0)
+    t60 = np.sqrt((t58 + t59 * t59))
+    t61 = t54 / t60
+    t62 = t55 / t60
+    t63 = t56 / t60
+    t64 = t57 / t60
+    t65 = t43 * t62 - t32 * t61 - t46 * t63 - t50 * t64
+    t66 = t59 / t60
+    t67 = t65 + t42 * t66
+    t68 = np.where(t60 != 0.0, -t61, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t67, 0.0), 0.0), 0.0), 0.0), 0.0)
+    t69 = np.where(t60 != 0.0, t62, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t67, 0.0), 0.0), 0.0), 0.0), 0.0)
+    t70 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t67), 0.0), 0.0), 0.0), 0.0), 0.0)
+    t71 = np.where(t60 != 0.0, t63, 0.0) - t70
+    t72 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t67), 0.0), 0.0), 0.0), 0.0), 0.0)
+    t73 = np.where(t60 != 0.0, t64, 0.0) - t72
+    t74 = t68 * t68 + t69 * t69 + t71 * t71 + t73 * t73
+    t75 = np.where(t60 != 0.0, t66, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t67, 0.0), 0.0), 0.0), 0.0), 0.0)
+    t76 = np.sqrt((t74 + t75 * t75))
+    t77 = t68 / t76
+    t78 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t77, 0.0), 0.0)
+    t79 = t10 * t40 - t13 * t37
+    t80 = t13 * t44 + t16 * t40
+    t81 = t19 * t36 - t9 * t47
+    t82 = t6 * t51 + t21 * t35
+    t83 = t32 * t79 + t43 * t80 - t46 * t81 + t50 * t82
+    t84 = t79 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t83, 0.0), 0.0), 0.0), 0.0)
+    t85 = t80 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t83, 0.0), 0.0), 0.0), 0.0)
+    t86 = t69 / t76
+    t87 = t81 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t83), 0.0), 0.0), 0.0), 0.0)
+    t88 = t71 / t76
+    t89 = t82 + np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t83), 0.0), 0.0), 0.0), 0.0)
+    t90 = t73 / t76
+    t91 = t77 * t84 + t85 * t86 + t87 * t88 - t89 * t90
+    t92 = t42 * t83
+    t93 = t75 / t76
+    t94 = t91 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t92 * t93, 0.0), 0.0), 0.0), 0.0)
+    t95 = t84 - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t94, 0.0), 0.0)
+    t96 = t85 - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t94, 0.0), 0.0)
+    t97 = t87 - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t94, 0.0), 0.0)
+    t98 = t89 + np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t94, 0.0), 0.0)
+    t99 = t95 * t95 + t96 * t96 + t97 * t97 + t98 * t98
+    t100 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t92, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t94, 0.0), 0.0)
+    t101 = -0.107 * s6 - 0.088 * c6
+    t102 = np.sqrt((t99 + t100 * t100 + t101 * t101))
+    t103 = t95 / t102
+    t104 = t96 / t102
+    t105 = t97 / t102
+    t106 = t98 / t102
+    t107 = t32 * t103 + t43 * t104 - t46 * t105 + t50 * t106
+    t108 = t100 / t102
+    t109 = t107 - t42 * t108
+    t110 = np.where(t102 != 0.0, t103, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t109, 0.0), 0.0), 0.0), 0.0), 0.0)
+    t111 = np.where(t102 != 0.0, t104, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t109, 0.0), 0.0), 0.0), 0.0), 0.0)
+    t112 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t109), 0.0), 0.0), 0.0), 0.0), 0.0)
+    t113 = np.where(t102 != 0.0, t105, 0.0) - t112
+    t114 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t109), 0.0), 0.0), 0.0), 0.0), 0.0)
+    t115 = np.where(t102 != 0.0, -t106, 0.0) - t114
+    t116 = t77 * t110 + t86 * t111 + t88 * t113 + t90 * t115
+    t117 = np.where(t102 != 0.0, -t108, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t109, 0.0), 0.0), 0.0), 0.0), 0.0)
+    t118 = t116 + t93 * t117
+    t119 = t110 - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t118, 0.0), 0.0)
+    t120 = t111 - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t118, 0.0), 0.0)
+    t121 = t113 - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t118, 0.0), 0.0)
+    t122 = t115 - np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t118, 0.0), 0.0)
+    t123 = t119 * t119 + t120 * t120 + t121 * t121 + t122 * t122
+    t124 = t117 - np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t118, 0.0), 0.0)
+    t125 = t101 / t102
+    t126 = np.sqrt((t123 + t124 * t124 + np.where(t102 != 0.0, np.where(t102 != 0.0, t125 * t125, 0.0), 0.0)))
+    t127 = t119 / t126
+    t128 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t43, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t86, 0.0), 0.0)
+    t129 = t120 / t126
+    t130 = -(t128 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t129, 0.0), 0.0))
+    t131 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t32 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t88, 0.0), 0.0)
+    t132 = t121 / t126
+    t133 = -(t131 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t132, 0.0), 0.0))
+    t134 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t32 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t90, 0.0), 0.0)
+    t135 = t122 / t126
+    t136 = -(t134 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t135, 0.0), 0.0))
+    t137 = t125 / t126
+    t138 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t137, 0.0), 0.0), 0.0)
+    t139 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t93, 0.0), 0.0)
+    t140 = t124 / t126
+    t141 = -(t139 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t140, 0.0), 0.0))
+    t142 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t43, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t86, 0.0), 0.0)
+    t143 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t43 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t88, 0.0), 0.0)
+    t144 = -(t143 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t132, 0.0), 0.0))
+    t145 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t43 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t90, 0.0), 0.0)
+    t146 = -(t145 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t135, 0.0), 0.0))
+    t147 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t137, 0.0), 0.0), 0.0)
+    t148 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t43, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t93, 0.0), 0.0)
+    t149 = -(t148 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t140, 0.0), 0.0))
+    t150 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t46 * t46, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t88, 0.0), 0.0)
+    t151 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t46 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t90, 0.0), 0.0)
+    t152 = -(t151 + np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t135, 0.0), 0.0))
+    t153 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t137, 0.0), 0.0), 0.0)
+    t154 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t42 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t93, 0.0), 0.0)
+    t155 = -(t154 + np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t140, 0.0), 0.0))
+    t156 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t90, 0.0), 0.0)
+    t157 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t137, 0.0), 0.0), 0.0)
+    t158 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t42 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t93, 0.0), 0.0)
+    t159 = -(t158 + np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t140, 0.0), 0.0))
+    t160 = -np.where(t126 != 0.0, np.where(t102 != 0.0, np.where(t126 != 0.0, t137 * t140, 0.0), 0.0), 0.0)
+    t161 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t93, 0.0), 0.0)
+
+    # results
+    null_projector = np.empty((*leading, 49), real)
+    null_projector[..., 0] = t78 - np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t127, 0.0), 0.0)
+    null_projector[..., 1] = t130
+    null_projector[..., 2] = t133
+    null_projector[..., 3] = t136
+    null_projector[..., 4] = t138
+    null_projector[..., 5] = t141
+    null_projector[..., 6] = 0.0
+    null_projector[..., 7] = t130
+    null_projector[..., 8] = t142 - np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t129, 0.0), 0.0)
+    null_projector[..., 9] = t144
+    null_projector[..., 10] = t146
+    null_projector[..., 11] = t147
+    null_projector[..., 12] = t149
+    null_projector[..., 13] = 0.0
+    null_projector[..., 14] = t133
+    null_projector[..., 15] = t144
+    null_projector[..., 16] = t150 - np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t132, 0.0), 0.0)
+    null_projector[..., 17] = t152
+    null_projector[..., 18] = t153
+    null_projector[..., 19] = t155
+    null_projector[..., 20] = 0.0
+    null_projector[..., 21] = t136
+    null_projector[..., 22] = t146
+    null_projector[..., 23] = t152
+    null_projector[..., 24] = t156 - np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t135, 0.0), 0.0)
+    null_projector[..., 25] = t157
+    null_projector[..., 26] = t159
+    null_projector[..., 27] = 0.0
+    null_projector[..., 28] = t138
+    null_projector[..., 29] = t147
+    null_projector[..., 30] = t153
+    null_projector[..., 31] = t157
+    null_projector[..., 32] = 1.0 - np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t102 != 0.0, np.where(t126 != 0.0, t137 * t137, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 33] = t160
+    null_projector[..., 34] = 0.0
+    null_projector[..., 35] = t141
+    null_projector[..., 36] = t149
+    null_projector[..., 37] = t155
+    null_projector[..., 38] = t159
+    null_projector[..., 39] = t160
+    null_projector[..., 40] = t161 - np.where(t126 != 0.0, np.where(t126 != 0.0, t140 * t140, 0.0), 0.0)
+    null_projector[..., 41] = 0.0
+    null_projector[..., 42] = 0.0
+    null_projector[..., 43] = 0.0
+    null_projector[..., 44] = 0.0
+    null_projector[..., 45] = 0.0
+    null_projector[..., 46] = 0.0
+    null_projector[..., 47] = 0.0
+    null_projector[..., 48] = 1.0
+    return null_projector.reshape(leading + (7, 7))

@@ -1,0 +1,463 @@
+"""kinematics of planar_rrr, in NumPy.
+
+Made from templates/kernel.py.j2; inputs 21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90.
+Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def position(q, parameters):
+    """position of the tip, in the base frame: 28 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  position[2]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    parameters1 = parameters[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    parameters2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = c1 * parameters1 + t1 * parameters2 + (t1 * c3 - t2 * s3) * parameters3
+    t4 = parameters1 * s1 + parameters2 * t2 + parameters3 * (c3 * t2 + t1 * s3)
+
+    # results
+    position = np.empty((*leading, 2), real)
+    position[..., 0] = t3
+    position[..., 1] = t4
+    return position.reshape(leading + (2,))
+
+
+def pose(q, parameters):
+    """pose of the tip, in the base frame: 29 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  pose[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    s3 = np.sin(q3)
+    parameters1 = parameters[..., 0]
+    parameters2 = parameters[..., 1]
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = c3 * t1 - t2 * s3
+    t4 = c3 * t2 + t1 * s3
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = c1 * parameters1 + t1 * parameters2 + t3 * parameters3
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = s1 * parameters1 + t2 * parameters2 + t4 * parameters3
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    return pose.reshape(leading + (3, 3))
+
+
+def jacobian_position(q, parameters):
+    """Jacobian of the position task, in the base frame: 33 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    parameters1 = parameters[..., 0]
+    q1 = q[..., 0]
+    s1 = np.sin(q1)
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    c2 = np.cos(q2)
+    parameters2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = parameters1 * s1
+    t2 = c1 * s2 + s1 * c2
+    t3 = c1 * c2 - s1 * s2
+    t4 = (t2 * c3 + t3 * s3) * parameters3
+    t5 = t1 + t2 * parameters2 + t4
+    t6 = parameters1 * c1
+    t7 = parameters3 * (c3 * t3 - t2 * s3)
+    t8 = t6 + parameters2 * t3 + t7
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = -t5
+    jacobian[..., 1] = -(t5 - t1)
+    jacobian[..., 2] = -t4
+    jacobian[..., 3] = t8
+    jacobian[..., 4] = t8 - t6
+    jacobian[..., 5] = t7
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_x_alpha(q, parameters):
+    """Jacobian of the x_alpha task, in the base frame: 24 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    parameters1 = parameters[..., 0]
+    q1 = q[..., 0]
+    s1 = np.sin(q1)
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    c2 = np.cos(q2)
+    parameters2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = parameters1 * s1
+    t2 = c1 * s2 + s1 * c2
+    t3 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * parameters3
+    t4 = t1 + t2 * parameters2 + t3
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = -t4
+    jacobian[..., 1] = -(t4 - t1)
+    jacobian[..., 2] = -t3
+    jacobian[..., 3] = 1.0
+    jacobian[..., 4] = 1.0
+    jacobian[..., 5] = 1.0
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_pose(q, parameters):
+    """Jacobian of the pose task, in the base frame: 33 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    parameters1 = parameters[..., 0]
+    q1 = q[..., 0]
+    s1 = np.sin(q1)
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    c2 = np.cos(q2)
+    parameters2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = parameters1 * s1
+    t2 = c1 * s2 + s1 * c2
+    t3 = c1 * c2 - s1 * s2
+    t4 = (t2 * c3 + t3 * s3) * parameters3
+    t5 = t1 + t2 * parameters2 + t4
+    t6 = parameters1 * c1
+    t7 = parameters3 * (c3 * t3 - t2 * s3)
+    t8 = t6 + parameters2 * t3 + t7
+
+    # results
+    jacobian = np.empty((*leading, 9), real)
+    jacobian[..., 0] = -t5
+    jacobian[..., 1] = -(t5 - t1)
+    jacobian[..., 2] = -t4
+    jacobian[..., 3] = t8
+    jacobian[..., 4] = t8 - t6
+    jacobian[..., 5] = t7
+    jacobian[..., 6] = 1.0
+    jacobian[..., 7] = 1.0
+    jacobian[..., 8] = 1.0
+    return jacobian.reshape(leading + (3, 3))
+
+
+def kinematics_position(q, parameters):
+    """position and the Jacobian of the position task: 33 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  position[2]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    parameters1 = parameters[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    parameters2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = c1 * parameters1
+    t2 = c1 * c2 - s1 * s2
+    t3 = c1 * s2 + c2 * s1
+    t4 = (t2 * c3 - t3 * s3) * parameters3
+    t5 = t1 + t2 * parameters2 + t4
+    t6 = parameters1 * s1
+    t7 = parameters3 * (c3 * t3 + t2 * s3)
+    t8 = t6 + parameters2 * t3 + t7
+
+    # results
+    position = np.empty((*leading, 2), real)
+    jacobian = np.empty((*leading, 6), real)
+    position[..., 0] = t5
+    position[..., 1] = t8
+    jacobian[..., 0] = -t8
+    jacobian[..., 1] = -(t8 - t6)
+    jacobian[..., 2] = -t7
+    jacobian[..., 3] = t5
+    jacobian[..., 4] = t5 - t1
+    jacobian[..., 5] = t4
+    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_x_alpha(q, parameters):
+    """pose and the Jacobian of the x_alpha task: 33 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  pose[3][3]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    s3 = np.sin(q3)
+    parameters1 = parameters[..., 0]
+    parameters2 = parameters[..., 1]
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = c3 * t1 - t2 * s3
+    t4 = c3 * t2 + t1 * s3
+    t5 = s1 * parameters1
+    t6 = t4 * parameters3
+    t7 = t5 + t2 * parameters2 + t6
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 6), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = c1 * parameters1 + t1 * parameters2 + t3 * parameters3
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = t7
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = -t7
+    jacobian[..., 1] = -(t7 - t5)
+    jacobian[..., 2] = -t6
+    jacobian[..., 3] = 1.0
+    jacobian[..., 4] = 1.0
+    jacobian[..., 5] = 1.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_pose(q, parameters):
+    """pose and the Jacobian of the pose task: 34 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  pose[3][3]
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    s3 = np.sin(q3)
+    parameters1 = parameters[..., 0]
+    parameters2 = parameters[..., 1]
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = c3 * t1 - t2 * s3
+    t4 = c3 * t2 + t1 * s3
+    t5 = c1 * parameters1
+    t6 = t3 * parameters3
+    t7 = t5 + t1 * parameters2 + t6
+    t8 = s1 * parameters1
+    t9 = t4 * parameters3
+    t10 = t8 + t2 * parameters2 + t9
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = t7
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = t10
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = -t10
+    jacobian[..., 1] = -(t10 - t8)
+    jacobian[..., 2] = -t9
+    jacobian[..., 3] = t7
+    jacobian[..., 4] = t7 - t5
+    jacobian[..., 5] = t6
+    jacobian[..., 6] = 1.0
+    jacobian[..., 7] = 1.0
+    jacobian[..., 8] = 1.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+
+
+def survey_position(q, parameters):
+    """position, Jacobian and manipulability H together: 52 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  position[2]
+    out  jacobian[2][3]
+    out  manipulability (one number)
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    parameters1 = parameters[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    parameters2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    parameters3 = parameters[..., 2]
+
+    # terms
+    t1 = c1 * parameters1
+    t2 = c1 * c2 - s1 * s2
+    t3 = c1 * s2 + c2 * s1
+    t4 = (t2 * c3 - t3 * s3) * parameters3
+    t5 = t1 + t2 * parameters2 + t4
+    t6 = parameters1 * s1
+    t7 = parameters3 * (c3 * t3 + t2 * s3)
+    t8 = t6 + parameters2 * t3 + t7
+    t9 = c2 * s3 + s2 * c3
+    t10 = parameters1 * (s2 * parameters2 + parameters3 * t9)
+    t11 = parameters3 * (parameters1 * t9 + parameters2 * s3)
+    t12 = s3 * (parameters2 * parameters3)
+
+    # results
+    position = np.empty((*leading, 2), real)
+    jacobian = np.empty((*leading, 6), real)
+    manipulability = np.empty((*leading, 1), real)
+    position[..., 0] = t5
+    position[..., 1] = t8
+    jacobian[..., 0] = -t8
+    jacobian[..., 1] = -(t8 - t6)
+    jacobian[..., 2] = -t7
+    jacobian[..., 3] = t5
+    jacobian[..., 4] = t5 - t1
+    jacobian[..., 5] = t4
+    manipulability[..., 0] = np.sqrt((t10 * t10 + t11 * t11 + t12 * t12))
+    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3)), manipulability.reshape(leading)

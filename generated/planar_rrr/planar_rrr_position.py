@@ -1,0 +1,250 @@
+"""manipulability (position) of planar_rrr, in NumPy.
+
+Made from templates/kernel.py.j2; inputs 21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90.
+Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def manipulability_position(q, parameters):
+    """manipulability H = sqrt(det(J J^T)) of the position Jacobian: 23 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  manipulability (one number)
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    parameters1 = parameters[..., 0]
+    parameters2 = parameters[..., 1]
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    parameters3 = parameters[..., 2]
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    c3 = np.cos(q3)
+
+    # terms
+    t1 = c2 * s3 + s2 * c3
+    t2 = parameters1 * (parameters2 * s2 + parameters3 * t1)
+    t3 = parameters3 * (parameters1 * t1 + parameters2 * s3)
+    t4 = s3 * (parameters2 * parameters3)
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    manipulability[..., 0] = np.sqrt((t2 * t2 + t3 * t3 + t4 * t4))
+    return manipulability.reshape(leading)
+
+
+def manipulability_gradient_position(q, parameters):
+    """H and the gradients of H, 1/H and H^(-1/2), through the minors (1,2), (1,3), (2,3) of the position Jacobian, in closed form: 64 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  manipulability (one number)
+    out  gradient[3]
+    out  inverse_gradient[3]
+    out  inverse_root_gradient[3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    parameters1 = parameters[..., 0]
+    parameters2 = parameters[..., 1]
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    parameters3 = parameters[..., 2]
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    c3 = np.cos(q3)
+
+    # terms
+    t1 = c2 * s3 + s2 * c3
+    t2 = parameters1 * (parameters2 * s2 + parameters3 * t1)
+    t3 = parameters3 * (parameters1 * t1 + parameters2 * s3)
+    t4 = parameters2 * parameters3
+    t5 = s3 * t4
+    t6 = np.sqrt((t2 * t2 + t3 * t3 + t5 * t5))
+    t7 = parameters3 * (t3 / t6)
+    t8 = parameters1 * (t2 / t6)
+    t9 = parameters1 * t7 + parameters3 * t8
+    t10 = c2 * (c3 * t9 + parameters2 * t8) - s2 * (s3 * t9)
+    t11 = c3 * (t4 * (t5 / t6) + parameters2 * t7 + c2 * t9)
+    t12 = t11 - s3 * (s2 * t9)
+    t13 = 1.0 / t6
+    t14 = t13 * t13
+    t15 = -0.5 / t6 * np.sqrt(t13)
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    gradient = np.empty((*leading, 3), real)
+    inverse_gradient = np.empty((*leading, 3), real)
+    inverse_root_gradient = np.empty((*leading, 3), real)
+    manipulability[..., 0] = t6
+    gradient[..., 0] = 0.0
+    gradient[..., 1] = np.where(t6 != 0.0, t10, 0.0)
+    gradient[..., 2] = np.where(t6 != 0.0, t12, 0.0)
+    inverse_gradient[..., 0] = 0.0
+    inverse_gradient[..., 1] = np.where(t6 != 0.0, -(t10 * t14), 0.0)
+    inverse_gradient[..., 2] = np.where(t6 != 0.0, -(t12 * t14), 0.0)
+    inverse_root_gradient[..., 0] = 0.0
+    inverse_root_gradient[..., 1] = np.where(t6 != 0.0, t10 * t15, 0.0)
+    inverse_root_gradient[..., 2] = np.where(t6 != 0.0, t12 * t15, 0.0)
+    return manipulability.reshape(leading), gradient.reshape(leading + (3,)), inverse_gradient.reshape(leading + (3,)), inverse_root_gradient.reshape(leading + (3,))
+
+
+def minors_position(q, parameters):
+    """minors (1,2), (1,3), (2,3) of the position Jacobian, in closed form: 17 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  minors[3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    parameters1 = parameters[..., 0]
+    parameters2 = parameters[..., 1]
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    parameters3 = parameters[..., 2]
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    c3 = np.cos(q3)
+
+    # terms
+    t1 = c2 * s3 + s2 * c3
+
+    # results
+    minors = np.empty((*leading, 3), real)
+    minors[..., 0] = parameters1 * (parameters2 * s2 + parameters3 * t1)
+    minors[..., 1] = parameters3 * (parameters1 * t1 + parameters2 * s3)
+    minors[..., 2] = s3 * (parameters2 * parameters3)
+    return minors.reshape(leading + (3,))
+
+
+def null_vector_position(q, parameters):
+    """null vector of the position Jacobian from its signed minors, |N| = H: 18 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  null_vector[3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    parameters2 = parameters[..., 1]
+    parameters3 = parameters[..., 2]
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    parameters1 = parameters[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    c3 = np.cos(q3)
+    s2 = np.sin(q2)
+
+    # terms
+    t1 = s3 * c2 + c3 * s2
+
+    # results
+    null_vector = np.empty((*leading, 3), real)
+    null_vector[..., 0] = parameters2 * parameters3 * s3
+    null_vector[..., 1] = -(parameters3 * (parameters1 * t1 + parameters2 * s3))
+    null_vector[..., 2] = parameters1 * (parameters2 * s2 + parameters3 * t1)
+    return null_vector.reshape(leading + (3,))
+
+
+def null_projector_position(q, parameters):
+    """projector I - J^+ J onto the null space of the position Jacobian: 123 operations.
+
+    in   q[3]
+    in   parameters[3]
+    out  null_projector[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    q3 = q[..., 2]
+    s3 = np.sin(q3)
+    c3 = np.cos(q3)
+    s2 = np.sin(q2)
+    parameters3 = parameters[..., 2]
+    parameters2 = parameters[..., 1]
+    parameters1 = parameters[..., 0]
+
+    # terms
+    t1 = (c2 * s3 + c3 * s2) * parameters3
+    t2 = t1 + s2 * parameters2
+    t3 = t2 * t2
+    t4 = np.sqrt((t1 * t1 + (t3 + t3)))
+    t5 = np.where(t4 != 0.0, t1 / t4, 0.0)
+    t6 = np.where(t4 != 0.0, t2 / t4, 0.0)
+    t7 = t6 * t6
+    t8 = np.sqrt((t5 * t5 + (t7 + t7)))
+    t9 = t6 / t8
+    t10 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t9, 0.0), 0.0)
+    t11 = 1.0 - t10
+    t12 = parameters3 * (c2 * c3 - s3 * s2)
+    t13 = parameters1 + c2 * parameters2 + t12
+    t14 = t13 - parameters1
+    t15 = t5 / t8
+    t16 = t9 * t14 + t12 * t15 + t9 * t13
+    t17 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t16, 0.0), 0.0)
+    t18 = t13 - t17
+    t19 = t14 - t17
+    t20 = t12 - np.where(t8 != 0.0, np.where(t8 != 0.0, t15 * t16, 0.0), 0.0)
+    t21 = np.sqrt((t18 * t18 + t19 * t19 + t20 * t20))
+    t22 = t18 / t21
+    t23 = t19 / t21
+    t24 = t20 / t21
+    t25 = t9 * t22 + t9 * t23 + t15 * t24
+    t26 = np.where(t8 != 0.0, np.where(t21 != 0.0, np.where(t8 != 0.0, t9 * t25, 0.0), 0.0), 0.0)
+    t27 = np.where(t21 != 0.0, t22, 0.0) - t26
+    t28 = np.where(t21 != 0.0, t23, 0.0) - t26
+    t29 = np.where(t21 != 0.0, t24, 0.0) - np.where(t8 != 0.0, np.where(t21 != 0.0, np.where(t8 != 0.0, t15 * t25, 0.0), 0.0), 0.0)
+    t30 = np.sqrt((t27 * t27 + t28 * t28 + t29 * t29))
+    t31 = t27 / t30
+    t32 = t28 / t30
+    t33 = -(t10 + np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t32, 0.0), 0.0))
+    t34 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t15, 0.0), 0.0)
+    t35 = t29 / t30
+    t36 = -(t34 + np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t35, 0.0), 0.0))
+    t37 = -(t34 + np.where(t30 != 0.0, np.where(t30 != 0.0, t32 * t35, 0.0), 0.0))
+    t38 = 1.0 - np.where(t8 != 0.0, np.where(t8 != 0.0, t15 * t15, 0.0), 0.0) - np.where(t30 != 0.0, np.where(t30 != 0.0, t35 * t35, 0.0), 0.0)
+
+    # results
+    null_projector = np.empty((*leading, 9), real)
+    null_projector[..., 0] = t11 - np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t31, 0.0), 0.0)
+    null_projector[..., 1] = t33
+    null_projector[..., 2] = t36
+    null_projector[..., 3] = t33
+    null_projector[..., 4] = t11 - np.where(t30 != 0.0, np.where(t30 != 0.0, t32 * t32, 0.0), 0.0)
+    null_projector[..., 5] = t37
+    null_projector[..., 6] = t36
+    null_projector[..., 7] = t37
+    null_projector[..., 8] = t38
+    return null_projector.reshape(leading + (3, 3))

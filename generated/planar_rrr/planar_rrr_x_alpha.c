@@ -1,0 +1,168 @@
+/* planar_rrr_x_alpha.c: manipulability (x_alpha) of planar_rrr.
+ * Made from templates/kernel.c.j2; inputs 21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "planar_rrr_x_alpha.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char planar_rrr_x_alpha_digest[] = "21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90";
+#endif
+
+#define LANES 64
+#define TERMS(name) name##_tile
+#include "planar_rrr_x_alpha.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "planar_rrr_x_alpha.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(planar_rrr_manipulability_x_alpha)(const real *q, const real *parameters, real *manipulability)
+{
+    planar_rrr_manipulability_x_alpha_one(q, parameters, manipulability);
+}
+
+void CHAINRULE_NAME(planar_rrr_manipulability_x_alpha_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[3 * 64];
+    real manipulability[1 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_manipulability_x_alpha_one(q, parameters, manipulability);
+            chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_manipulability_x_alpha_tile(q, parameters, manipulability);
+            chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+        }
+    }
+}
+
+void CHAINRULE_NAME(planar_rrr_manipulability_gradient_x_alpha)(const real *q, const real *parameters, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
+{
+    planar_rrr_manipulability_gradient_x_alpha_one(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+}
+
+void CHAINRULE_NAME(planar_rrr_manipulability_gradient_x_alpha_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[3 * 64];
+    real manipulability[1 * 64];
+    real gradient[3 * 64];
+    real inverse_gradient[3 * 64];
+    real inverse_root_gradient[3 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
+            planar_rrr_manipulability_gradient_x_alpha_one(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+            chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_scatter(inverse_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[9], steps[9]);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
+            planar_rrr_manipulability_gradient_x_alpha_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+            chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_scatter(inverse_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[9], steps[9]);
+            chainrule_scatter(inverse_root_gradient, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(planar_rrr_minors_x_alpha)(const real *q, const real *parameters, real *minors)
+{
+    planar_rrr_minors_x_alpha_one(q, parameters, minors);
+}
+
+void CHAINRULE_NAME(planar_rrr_minors_x_alpha_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[3 * 64];
+    real minors[3 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_minors_x_alpha_one(q, parameters, minors);
+            chainrule_scatter(minors, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_minors_x_alpha_tile(q, parameters, minors);
+            chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(planar_rrr_null_vector_x_alpha)(const real *q, const real *parameters, real *null_vector)
+{
+    planar_rrr_null_vector_x_alpha_one(q, parameters, null_vector);
+}
+
+void CHAINRULE_NAME(planar_rrr_null_vector_x_alpha_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[3 * 64];
+    real null_vector[3 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_null_vector_x_alpha_one(q, parameters, null_vector);
+            chainrule_scatter(null_vector, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_null_vector_x_alpha_tile(q, parameters, null_vector);
+            chainrule_scatter(null_vector, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(planar_rrr_null_projector_x_alpha)(const real *q, const real *parameters, real *null_projector)
+{
+    planar_rrr_null_projector_x_alpha_one(q, parameters, null_projector);
+}
+
+void CHAINRULE_NAME(planar_rrr_null_projector_x_alpha_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[3 * 64];
+    real null_projector[9 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_null_projector_x_alpha_one(q, parameters, null_projector);
+            chainrule_scatter(null_projector, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            planar_rrr_null_projector_x_alpha_tile(q, parameters, null_projector);
+            chainrule_scatter(null_projector, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+        }
+    }
+}

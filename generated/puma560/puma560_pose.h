@@ -1,0 +1,58 @@
+/* puma560_pose.h: manipulability (pose) of puma560.
+ * Made from templates/kernel.h.j2; inputs 2cc7a01fd7b52383acd5fc57c050c3a4dfda28210914790ae4c5c81f90d0e343. Do not edit: change the derivation and regenerate.
+ *
+ * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
+ *
+ * name(inputs..., outputs...)        one configuration; no state, no allocation, bounded time
+ * name_batch(count, args, steps)     many: args are the arrays in the order of the scalar function's arguments; steps
+ *                                    are byte strides, first from one configuration to the next for each argument,
+ *                                    then for each argument's own axes in turn
+ */
+#ifndef CHAINRULE_PUMA560_POSE_H
+#define CHAINRULE_PUMA560_POSE_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The digest above, to tell a library from another. */
+extern const char puma560_pose_digest[];
+
+/* manipulability H = sqrt(det(J J^T)) of the pose Jacobian.
+ *   in   q[6]
+ *   out  manipulability (one number)
+ *   67 operations */
+void puma560_manipulability_pose(const double *q, double *manipulability);
+void puma560_manipulability_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void puma560_manipulability_posef(const float *q, float *manipulability);
+void puma560_manipulability_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the pose Jacobian, columns in
+ * lexicographic order.
+ *   in   q[6]
+ *   out  manipulability (one number)
+ *   out  gradient[6]
+ *   out  inverse_gradient[6]
+ *   out  inverse_root_gradient[6]
+ *   224 operations */
+void puma560_manipulability_gradient_pose(const double *q, double *manipulability, double *gradient, double *inverse_gradient, double *inverse_root_gradient);
+void puma560_manipulability_gradient_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void puma560_manipulability_gradient_posef(const float *q, float *manipulability, float *gradient, float *inverse_gradient, float *inverse_root_gradient);
+void puma560_manipulability_gradient_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* maximal minors of the pose Jacobian, columns in lexicographic order.
+ *   in   q[6]
+ *   out  minors[1]
+ *   66 operations */
+void puma560_minors_pose(const double *q, double *minors);
+void puma560_minors_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void puma560_minors_posef(const float *q, float *minors);
+void puma560_minors_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* CHAINRULE_PUMA560_POSE_H */

@@ -1,0 +1,174 @@
+/* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
+ * Made from templates/kernel.c.j2; inputs 5567d9163257d525a279640070b3aed22b80c99024df0d18ff550e12e5051311. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "sanchez_8r_kinematics.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char sanchez_8r_kinematics_digest[] = "5567d9163257d525a279640070b3aed22b80c99024df0d18ff550e12e5051311";
+#endif
+
+#define LANES 32
+#define TERMS(name) name##_tile
+#include "sanchez_8r_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "sanchez_8r_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(sanchez_8r_position)(const real *q, real *position)
+{
+    sanchez_8r_position_one(q, position);
+}
+
+void CHAINRULE_NAME(sanchez_8r_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real position[3 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_position_one(q, position);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_position_tile(q, position);
+            chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_pose)(const real *q, real *pose)
+{
+    sanchez_8r_pose_one(q, pose);
+}
+
+void CHAINRULE_NAME(sanchez_8r_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real pose[16 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_pose_one(q, pose);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_pose_tile(q, pose);
+            chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_jacobian_position)(const real *q, real *jacobian)
+{
+    sanchez_8r_jacobian_position_one(q, jacobian);
+}
+
+void CHAINRULE_NAME(sanchez_8r_jacobian_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real jacobian[24 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_jacobian_position_one(q, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_jacobian_position_tile(q, jacobian);
+            chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_jacobian_pose)(const real *q, real *jacobian)
+{
+    sanchez_8r_jacobian_pose_one(q, jacobian);
+}
+
+void CHAINRULE_NAME(sanchez_8r_jacobian_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real jacobian[48 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_jacobian_pose_one(q, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_jacobian_pose_tile(q, jacobian);
+            chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_kinematics_position)(const real *q, real *position, real *jacobian)
+{
+    sanchez_8r_kinematics_position_one(q, position, jacobian);
+}
+
+void CHAINRULE_NAME(sanchez_8r_kinematics_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real position[3 * 32];
+    real jacobian[24 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
+            sanchez_8r_kinematics_position_one(q, position, jacobian);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
+            sanchez_8r_kinematics_position_tile(q, position, jacobian);
+            chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_kinematics_pose)(const real *q, real *pose, real *jacobian)
+{
+    sanchez_8r_kinematics_pose_one(q, pose, jacobian);
+}
+
+void CHAINRULE_NAME(sanchez_8r_kinematics_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real pose[16 * 32];
+    real jacobian[48 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
+            sanchez_8r_kinematics_pose_one(q, pose, jacobian);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
+            sanchez_8r_kinematics_pose_tile(q, pose, jacobian);
+            chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
+            chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7]);
+        }
+    }
+}

@@ -1,0 +1,129 @@
+/* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
+ * Made from templates/kernel.c.j2; inputs ac12fce752740a8c7352744b3925b227756272cdf37e9b5a289f91bfe302852e. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "sanchez_8r_pose.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char sanchez_8r_pose_digest[] = "ac12fce752740a8c7352744b3925b227756272cdf37e9b5a289f91bfe302852e";
+#endif
+
+#define LANES 32
+#define TERMS(name) name##_tile
+#include "sanchez_8r_pose.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "sanchez_8r_pose.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(sanchez_8r_manipulability_pose)(const real *q, real *manipulability)
+{
+    sanchez_8r_manipulability_pose_one(q, manipulability);
+}
+
+void CHAINRULE_NAME(sanchez_8r_manipulability_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real manipulability[1 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_manipulability_pose_one(q, manipulability);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_manipulability_pose_tile(q, manipulability);
+            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_pose)(const real *q, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
+{
+    sanchez_8r_manipulability_gradient_pose_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+}
+
+void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real manipulability[1 * 32];
+    real gradient[8 * 32];
+    real inverse_gradient[8 * 32];
+    real inverse_root_gradient[8 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
+            sanchez_8r_manipulability_gradient_pose_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6]);
+            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7]);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
+            sanchez_8r_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
+            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(gradient, 32, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6]);
+            chainrule_scatter(inverse_gradient, 32, taken, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7]);
+            chainrule_scatter(inverse_root_gradient, 32, taken, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_minors_pose)(const real *q, real *minors)
+{
+    sanchez_8r_minors_pose_one(q, minors);
+}
+
+void CHAINRULE_NAME(sanchez_8r_minors_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real minors[28 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_minors_pose_one(q, minors);
+            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_minors_pose_tile(q, minors);
+            chainrule_scatter(minors, 32, taken, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(sanchez_8r_null_projector_pose)(const real *q, real *null_projector)
+{
+    sanchez_8r_null_projector_pose_one(q, null_projector);
+}
+
+void CHAINRULE_NAME(sanchez_8r_null_projector_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[8 * 32];
+    real null_projector[64 * 32];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_null_projector_pose_one(q, null_projector);
+            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            sanchez_8r_null_projector_pose_tile(q, null_projector);
+            chainrule_scatter(null_projector, 32, taken, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4]);
+        }
+    }
+}

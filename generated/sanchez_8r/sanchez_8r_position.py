@@ -1,0 +1,867 @@
+"""manipulability (position) of sanchez_8r, in NumPy.
+
+Made from templates/kernel.py.j2; inputs ac12fce752740a8c7352744b3925b227756272cdf37e9b5a289f91bfe302852e.
+Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def manipulability_position(q):
+    """manipulability H = sqrt(det(J J^T)) of the position Jacobian: 306 operations.
+
+    in   q[8]
+    out  manipulability (one number)
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q7 = q[..., 6]
+    c7 = np.cos(q7)
+    q6 = q[..., 5]
+    c6 = np.cos(q6)
+    s6 = np.sin(q6)
+    s7 = np.sin(q7)
+    q4 = q[..., 3]
+    s4 = np.sin(q4)
+    q5 = q[..., 4]
+    c5 = np.cos(q5)
+    c4 = np.cos(q4)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    s5 = np.sin(q5)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s2 = np.sin(q2)
+
+    # terms
+    t1 = -0.2 * c7
+    t2 = c7 * c6 - s6 * s7
+    t3 = t1 - 0.2 * t2
+    t4 = t2 * c5
+    t5 = c6 * s7 + c7 * s6
+    t6 = s4 * t4 - c4 * t5
+    t7 = t4 * c4 + s4 * t5
+    t8 = t2 * s5
+    t9 = c3 * t7 - s3 * t8
+    t10 = t3 - 0.2 * t6 - 0.25 * t9
+    t11 = s4 * s5
+    t12 = c4 * s5
+    t13 = c3 * t12 + c5 * s3
+    t14 = c2 * t11 - s2 * t13
+    t15 = 0.25 * t13 - -0.2 * t11
+    t16 = t9 * s2 - t6 * c2
+    t17 = t10 * t14 - t15 * t16
+    t18 = c5 * t5
+    t19 = t2 * s4 - c4 * t18
+    t20 = t5 * s5
+    t21 = s3 * t19 - c3 * t20
+    t22 = 0.2 * s7
+    t23 = t22 + 0.2 * t5
+    t24 = s4 * t18 + t2 * c4
+    t25 = c3 * t19 + s3 * t20
+    t26 = 0.125 - (t23 + 0.2 * t24 - 0.25 * t25)
+    t27 = c3 * t8 + t7 * s3
+    t28 = t10 * t21 + t26 * t27
+    t29 = s2 * t25 + c2 * t24
+    t30 = t10 * t29 + t16 * t26
+    t31 = c5 * c3 - s3 * t12
+    t32 = t15 * t27 - t10 * t31
+    t33 = t17 * t28 + t30 * t32
+    t34 = 0.125 - t23
+    t35 = t11 * t34
+    t36 = t6 * t34 - t3 * t24
+    t37 = t3 * t11
+    t38 = t32 * t36 - t28 * t37
+    t39 = t15 * t29 + t14 * t26
+    t40 = t17 * t36 + t30 * t37
+    t41 = t15 * t21 + t26 * t31
+    t42 = t33 * t35 + t38 * t39 + t40 * t41
+    t43 = c5 * t34
+    t44 = t3 * t20 - t8 * t34
+    t45 = t3 * c5
+    t46 = t32 * t44 - t28 * t45
+    t47 = t17 * t44 + t30 * t45
+    t48 = t33 * t43 + t39 * t46 + t41 * t47
+    t49 = t2 * t3 + t5 * t34
+    t50 = t32 * t49
+    t51 = t17 * t49
+    t52 = t39 * t50 + t41 * t51
+    t53 = t1 * t28
+    t54 = 0.125 - t22
+    t55 = t1 * t30
+    t56 = t39 * t53 - t33 * t54 - t41 * t55
+    t57 = t42 * t42 + t48 * t48 + t52 * t52 + t56 * t56
+    t58 = -0.125 * t33
+    t59 = t37 * t44 - t36 * t45
+    t60 = t40 * t43 + t39 * t59 - t35 * t47
+    t61 = t37 * t49
+    t62 = t35 * t51 - t39 * t61
+    t63 = t1 * t36
+    t64 = t39 * t63 - t40 * t54 + t35 * t55
+    t65 = t57 + t58 * t58 + t60 * t60 + t62 * t62 + t64 * t64
+    t66 = -0.125 * t40
+    t67 = t45 * t49
+    t68 = t43 * t51 - t39 * t67
+    t69 = t1 * t44
+    t70 = t39 * t69 - t47 * t54 + t43 * t55
+    t71 = -0.125 * t47
+    t72 = t65 + t66 * t66 + t68 * t68 + t70 * t70 + t71 * t71
+    t73 = t1 * t49
+    t74 = t51 * t54 - t39 * t73
+    t75 = -0.125 * t51
+    t76 = -0.125 * t55
+    t77 = t38 * t43 - t41 * t59 - t35 * t46
+    t78 = t72 + t74 * t74 + t75 * t75 + t76 * t76 + t77 * t77
+    t79 = t41 * t61 + t35 * t50
+    t80 = t41 * t63 + t38 * t54 + t35 * t53
+    t81 = -0.125 * t38
+    t82 = t41 * t67 + t43 * t50
+    t83 = t78 + t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82
+    t84 = t41 * t69 + t46 * t54 + t43 * t53
+    t85 = -0.125 * t46
+    t86 = t41 * t73 + t50 * t54
+    t87 = -0.125 * t50
+    t88 = t83 + t84 * t84 + t85 * t85 + t86 * t86 + t87 * t87
+    t89 = -0.125 * t53
+    t90 = t43 * t61 - t35 * t67
+    t91 = t35 * t69 - t54 * t59 - t43 * t63
+    t92 = -0.125 * t59
+    t93 = t88 + t89 * t89 + t90 * t90 + t91 * t91 + t92 * t92
+    t94 = t54 * t61 - t35 * t73
+    t95 = -0.125 * t61
+    t96 = -0.125 * t63
+    t97 = t54 * t67 - t43 * t73
+    t98 = t93 + t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97
+    t99 = -0.125 * t67
+    t100 = -0.125 * t69
+    t101 = -0.125 * t73
+    t102 = np.sqrt((t98 + t99 * t99 + t100 * t100 + t101 * t101))
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    manipulability[..., 0] = t102
+    return manipulability.reshape(leading)
+
+
+def manipulability_gradient_position(q):
+    """H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the position Jacobian, columns in lexicographic order: 909 operations.
+
+    in   q[8]
+    out  manipulability (one number)
+    out  gradient[8]
+    out  inverse_gradient[8]
+    out  inverse_root_gradient[8]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q7 = q[..., 6]
+    c7 = np.cos(q7)
+    q6 = q[..., 5]
+    c6 = np.cos(q6)
+    s6 = np.sin(q6)
+    s7 = np.sin(q7)
+    q4 = q[..., 3]
+    s4 = np.sin(q4)
+    q5 = q[..., 4]
+    c5 = np.cos(q5)
+    c4 = np.cos(q4)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    s5 = np.sin(q5)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s2 = np.sin(q2)
+
+    # terms
+    t1 = -0.2 * c7
+    t2 = c7 * c6 - s6 * s7
+    t3 = t1 - 0.2 * t2
+    t4 = t2 * c5
+    t5 = c6 * s7 + c7 * s6
+    t6 = s4 * t4 - c4 * t5
+    t7 = t4 * c4 + s4 * t5
+    t8 = t2 * s5
+    t9 = c3 * t7 - s3 * t8
+    t10 = t3 - 0.2 * t6 - 0.25 * t9
+    t11 = s4 * s5
+    t12 = c4 * s5
+    t13 = c3 * t12 + c5 * s3
+    t14 = c2 * t11 - s2 * t13
+    t15 = 0.25 * t13 - -0.2 * t11
+    t16 = t9 * s2 - t6 * c2
+    t17 = t10 * t14 - t15 * t16
+    t18 = c5 * t5
+    t19 = t2 * s4 - c4 * t18
+    t20 = t5 * s5
+    t21 = s3 * t19 - c3 * t20
+    t22 = 0.2 * s7
+    t23 = t22 + 0.2 * t5
+    t24 = s4 * t18 + t2 * c4
+    t25 = c3 * t19 + s3 * t20
+    t26 = 0.125 - (t23 + 0.2 * t24 - 0.25 * t25)
+    t27 = c3 * t8 + t7 * s3
+    t28 = t10 * t21 + t26 * t27
+    t29 = s2 * t25 + c2 * t24
+    t30 = t10 * t29 + t16 * t26
+    t31 = c5 * c3 - s3 * t12
+    t32 = t15 * t27 - t10 * t31
+    t33 = t17 * t28 + t30 * t32
+    t34 = 0.125 - t23
+    t35 = t11 * t34
+    t36 = t6 * t34 - t3 * t24
+    t37 = t3 * t11
+    t38 = t32 * t36 - t28 * t37
+    t39 = t15 * t29 + t14 * t26
+    t40 = t17 * t36 + t30 * t37
+    t41 = t15 * t21 + t26 * t31
+    t42 = t33 * t35 + t38 * t39 + t40 * t41
+    t43 = c5 * t34
+    t44 = t3 * t20 - t8 * t34
+    t45 = t3 * c5
+    t46 = t32 * t44 - t28 * t45
+    t47 = t17 * t44 + t30 * t45
+    t48 = t33 * t43 + t39 * t46 + t41 * t47
+    t49 = t2 * t3 + t5 * t34
+    t50 = t32 * t49
+    t51 = t17 * t49
+    t52 = t39 * t50 + t41 * t51
+    t53 = t1 * t28
+    t54 = 0.125 - t22
+    t55 = t1 * t30
+    t56 = t39 * t53 - t33 * t54 - t41 * t55
+    t57 = t42 * t42 + t48 * t48 + t52 * t52 + t56 * t56
+    t58 = -0.125 * t33
+    t59 = t37 * t44 - t36 * t45
+    t60 = t40 * t43 + t39 * t59 - t35 * t47
+    t61 = t37 * t49
+    t62 = t35 * t51 - t39 * t61
+    t63 = t1 * t36
+    t64 = t39 * t63 - t40 * t54 + t35 * t55
+    t65 = t57 + t58 * t58 + t60 * t60 + t62 * t62 + t64 * t64
+    t66 = -0.125 * t40
+    t67 = t45 * t49
+    t68 = t43 * t51 - t39 * t67
+    t69 = t1 * t44
+    t70 = t39 * t69 - t47 * t54 + t43 * t55
+    t71 = -0.125 * t47
+    t72 = t65 + t66 * t66 + t68 * t68 + t70 * t70 + t71 * t71
+    t73 = t1 * t49
+    t74 = t51 * t54 - t39 * t73
+    t75 = -0.125 * t51
+    t76 = -0.125 * t55
+    t77 = t38 * t43 - t41 * t59 - t35 * t46
+    t78 = t72 + t74 * t74 + t75 * t75 + t76 * t76 + t77 * t77
+    t79 = t41 * t61 + t35 * t50
+    t80 = t41 * t63 + t38 * t54 + t35 * t53
+    t81 = -0.125 * t38
+    t82 = t41 * t67 + t43 * t50
+    t83 = t78 + t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82
+    t84 = t41 * t69 + t46 * t54 + t43 * t53
+    t85 = -0.125 * t46
+    t86 = t41 * t73 + t50 * t54
+    t87 = -0.125 * t50
+    t88 = t83 + t84 * t84 + t85 * t85 + t86 * t86 + t87 * t87
+    t89 = -0.125 * t53
+    t90 = t43 * t61 - t35 * t67
+    t91 = t35 * t69 - t54 * t59 - t43 * t63
+    t92 = -0.125 * t59
+    t93 = t88 + t89 * t89 + t90 * t90 + t91 * t91 + t92 * t92
+    t94 = t54 * t61 - t35 * t73
+    t95 = -0.125 * t61
+    t96 = -0.125 * t63
+    t97 = t54 * t67 - t43 * t73
+    t98 = t93 + t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97
+    t99 = -0.125 * t67
+    t100 = -0.125 * t69
+    t101 = -0.125 * t73
+    t102 = np.sqrt((t98 + t99 * t99 + t100 * t100 + t101 * t101))
+    t103 = t70 / t102
+    t104 = t74 / t102
+    t105 = t68 / t102
+    t106 = t64 / t102
+    t107 = t69 * t103 - t73 * t104 - t67 * t105 + t63 * t106
+    t108 = t62 / t102
+    t109 = t60 / t102
+    t110 = t56 / t102
+    t111 = t52 / t102
+    t112 = t107 - t61 * t108 + t59 * t109 + t53 * t110 + t50 * t111
+    t113 = t48 / t102
+    t114 = t42 / t102
+    t115 = t112 + t46 * t113 + t38 * t114
+    t116 = -0.125 * (t76 / t102) + t43 * t103 + t35 * t106 - t41 * t110
+    t117 = -0.125 * (t71 / t102) - t54 * t103 - t35 * t109 + t41 * t113
+    t118 = -0.125 * (t66 / t102) - t54 * t106 + t43 * t109 + t41 * t114
+    t119 = -0.125 * (t58 / t102) - t54 * t110 + t43 * t113 + t35 * t114
+    t120 = t1 * t116 + t45 * t117 + t37 * t118 + t32 * t119
+    t121 = t15 * t115 + t10 * t120
+    t122 = -0.125 * (t75 / t102) + t54 * t104 + t43 * t105 + t35 * t108
+    t123 = t122 + t41 * t111
+    t124 = t49 * t123 + t44 * t117 + t36 * t118 + t28 * t119
+    t125 = t26 * t120 - t15 * t124
+    t126 = t26 * t115 + t10 * t124
+    t127 = c2 * (t25 * t121 + t9 * t125 - t13 * t126) - s2 * (t24 * t121 - t6 * t125 + t11 * t126)
+    t128 = t86 / t102
+    t129 = t82 / t102
+    t130 = t79 / t102
+    t131 = -0.125 * (t87 / t102) + t54 * t128 + t43 * t129 + t35 * t130
+    t132 = t131 + t39 * t111
+    t133 = t84 / t102
+    t134 = t77 / t102
+    t135 = -0.125 * (t85 / t102) + t54 * t133 - t35 * t134 + t39 * t113
+    t136 = t80 / t102
+    t137 = -0.125 * (t81 / t102) + t54 * t136 + t43 * t134 + t39 * t114
+    t138 = t49 * t132 + t44 * t135 + t36 * t137 + t30 * t119
+    t139 = -0.125 * (t89 / t102) + t43 * t133 + t35 * t136 + t39 * t110
+    t140 = t1 * t139 - t45 * t135 - t37 * t137 + t17 * t119
+    t141 = t15 * t138 + t26 * t140
+    t142 = t73 * t128 + t69 * t133 + t67 * t129 + t63 * t136
+    t143 = t142 + t61 * t130 - t59 * t134 - t55 * t110 + t51 * t111
+    t144 = t143 + t47 * t113 + t40 * t114
+    t145 = t26 * t144 - t10 * t138
+    t146 = t31 * t144 + t14 * t115 + t16 * t120 + t27 * t140
+    t147 = s2 * t121 + 0.25 * t146
+    t148 = t15 * t144 + t10 * t140
+    t149 = t7 * t141 - t12 * t145 + t20 * t147 + t19 * t148
+    t150 = t21 * t144 + t29 * t115 + t27 * t138 - t16 * t124
+    t151 = 0.25 * t150 - s2 * t126
+    t152 = t29 * t120 - t31 * t138 + t21 * t140 + t14 * t124
+    t153 = s2 * t125 - 0.25 * t152
+    t154 = c5 * t145 + t8 * t141 + t19 * t147 - t20 * t148
+    t155 = c3 * (t149 + c5 * t151 - t8 * t153) - s3 * (t154 + t12 * t151 + t7 * t153)
+    t156 = t91 / t102
+    t157 = -0.125 * (t96 / t102) - t43 * t156 + t41 * t136 + t39 * t106
+    t158 = -0.125 * (t92 / t102) - t54 * t156 - t41 * t134 + t39 * t109
+    t159 = t1 * t157 - t45 * t158 + t17 * t118 + t32 * t137
+    t160 = c2 * t121 - t3 * t159 - 0.2 * t146
+    t161 = c3 * t147 + s3 * t148
+    t162 = t94 / t102
+    t163 = t90 / t102
+    t164 = -0.125 * (t95 / t102) + t54 * t162 + t43 * t163 + t41 * t130
+    t165 = t164 - t39 * t108
+    t166 = t49 * t165 + t44 * t158 + t30 * t118 - t28 * t137
+    t167 = t69 * t156 - t73 * t162 - t67 * t163 + t53 * t136
+    t168 = t167 + t50 * t130 - t46 * t134 + t55 * t106 + t51 * t108
+    t169 = t168 - t47 * t109 + t33 * t114
+    t170 = t3 * t166 + t34 * t169 - -0.2 * t150 + c2 * t126
+    t171 = s3 * t141 + c3 * t153
+    t172 = t18 * t160 + t2 * t161 + s5 * t170 + t5 * t171
+    t173 = t34 * t159 - c2 * t125 - 0.2 * t152
+    t174 = c3 * t151 - s3 * t145
+    t175 = t2 * t160 - t18 * t161 + s5 * t174 + t4 * t171
+    t176 = c4 * (t172 + t4 * t173) - s4 * (t175 - t5 * t173)
+    t177 = -0.125 * (t100 / t102) + t35 * t156 + t41 * t133 + t39 * t103
+    t178 = t1 * t177 + t37 * t158 + t17 * t117 + t32 * t135
+    t179 = t3 * t178 + s3 * t147 - c3 * t148
+    t180 = c3 * t141 - t34 * t178 - s3 * t153
+    t181 = t5 * t179 + c4 * t174 + s4 * t170 + t2 * t180
+    t182 = t97 / t102
+    t183 = -0.125 * (t99 / t102) + t54 * t182 - t35 * t163 + t41 * t129
+    t184 = t183 - t39 * t105
+    t185 = t49 * t184 - t36 * t158 + t30 * t117 - t28 * t135
+    t186 = t61 * t163 - (t73 * t182 + t63 * t156) + t53 * t133
+    t187 = t186 + t50 * t129 + t38 * t134 + t55 * t103 + t51 * t105
+    t188 = t187 + t40 * t109 + t33 * t113
+    t189 = s4 * t160 - c4 * t161
+    t190 = t3 * t185 + t34 * t188 + c3 * t145 + t5 * t189
+    t191 = c4 * t171 + s4 * t173
+    t192 = c5 * t181 - s5 * (t190 + s3 * t151 + t2 * t191)
+    t193 = -0.125 * (t101 / t102) - t43 * t182 - t35 * t162 + t41 * t128
+    t194 = t193 - t39 * t104
+    t195 = t1 * t194 + t45 * t184 + t37 * t165 + t17 * t123
+    t196 = t195 + t32 * t132
+    t197 = t5 * t196 - t8 * t178 + c5 * t188 + t6 * t159
+    t198 = t146 + (t197 + t11 * t169)
+    t199 = s5 * t179 - 0.2 * t198 + c5 * t189
+    t200 = t34 * t196 + s4 * t171 - c4 * t173
+    t201 = t3 * t196 + c4 * t160 + s4 * t161 + s5 * t180
+    t202 = t2 * t196 + c5 * t185 + t20 * t178 + t11 * t166
+    t203 = t152 + (t202 - t24 * t159)
+    t204 = t201 + c5 * t191 - 0.2 * t203
+    t205 = c6 * (c7 * t199 + c7 * t200 - s7 * t204) - s6 * (s7 * t199 + s7 * t200 + c7 * t204)
+    t206 = t67 * t182 + t61 * t162 - t59 * t156 + t50 * t128
+    t207 = t206 + t46 * t133 + t38 * t136 + t51 * t104 - t47 * t103
+    t208 = c6 * t199 - 0.2 * (t198 + (t207 - t40 * t106 - t33 * t110))
+    t209 = t49 * t194 + t44 * t177 + t36 * t157 + t30 * t116
+    t210 = s6 * t199 + s6 * t200 + c6 * t204 + -0.2 * (t203 + (t209 + t28 * t139))
+    t211 = c7 * (t208 + c6 * t200 - s6 * t204) - s7 * t210
+    t212 = 1.0 / t102
+    t213 = t212 * t212
+    t214 = -0.5 / t102 * np.sqrt(t212)
+
+    # results
+    manipulability = np.empty((*leading, 1), real)
+    gradient = np.empty((*leading, 8), real)
+    inverse_gradient = np.empty((*leading, 8), real)
+    inverse_root_gradient = np.empty((*leading, 8), real)
+    manipulability[..., 0] = t102
+    gradient[..., 0] = 0.0
+    gradient[..., 1] = np.where(t102 != 0.0, t127, 0.0)
+    gradient[..., 2] = np.where(t102 != 0.0, t155, 0.0)
+    gradient[..., 3] = np.where(t102 != 0.0, t176, 0.0)
+    gradient[..., 4] = np.where(t102 != 0.0, t192, 0.0)
+    gradient[..., 5] = np.where(t102 != 0.0, t205, 0.0)
+    gradient[..., 6] = np.where(t102 != 0.0, t211, 0.0)
+    gradient[..., 7] = 0.0
+    inverse_gradient[..., 0] = 0.0
+    inverse_gradient[..., 1] = np.where(t102 != 0.0, -(t127 * t213), 0.0)
+    inverse_gradient[..., 2] = np.where(t102 != 0.0, -(t155 * t213), 0.0)
+    inverse_gradient[..., 3] = np.where(t102 != 0.0, -(t176 * t213), 0.0)
+    inverse_gradient[..., 4] = np.where(t102 != 0.0, -(t192 * t213), 0.0)
+    inverse_gradient[..., 5] = np.where(t102 != 0.0, -(t205 * t213), 0.0)
+    inverse_gradient[..., 6] = np.where(t102 != 0.0, -(t211 * t213), 0.0)
+    inverse_gradient[..., 7] = 0.0
+    inverse_root_gradient[..., 0] = 0.0
+    inverse_root_gradient[..., 1] = np.where(t102 != 0.0, t127 * t214, 0.0)
+    inverse_root_gradient[..., 2] = np.where(t102 != 0.0, t155 * t214, 0.0)
+    inverse_root_gradient[..., 3] = np.where(t102 != 0.0, t176 * t214, 0.0)
+    inverse_root_gradient[..., 4] = np.where(t102 != 0.0, t192 * t214, 0.0)
+    inverse_root_gradient[..., 5] = np.where(t102 != 0.0, t205 * t214, 0.0)
+    inverse_root_gradient[..., 6] = np.where(t102 != 0.0, t211 * t214, 0.0)
+    inverse_root_gradient[..., 7] = 0.0
+    return manipulability.reshape(leading), gradient.reshape(leading + (8,)), inverse_gradient.reshape(leading + (8,)), inverse_root_gradient.reshape(leading + (8,))
+
+
+def minors_position(q):
+    """maximal minors of the position Jacobian, columns in lexicographic order: 245 operations.
+
+    in   q[8]
+    out  minors[56]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q7 = q[..., 6]
+    c7 = np.cos(q7)
+    q6 = q[..., 5]
+    c6 = np.cos(q6)
+    s6 = np.sin(q6)
+    s7 = np.sin(q7)
+    q4 = q[..., 3]
+    s4 = np.sin(q4)
+    q5 = q[..., 4]
+    c5 = np.cos(q5)
+    c4 = np.cos(q4)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    s5 = np.sin(q5)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s2 = np.sin(q2)
+
+    # terms
+    t1 = -0.2 * c7
+    t2 = c7 * c6 - s6 * s7
+    t3 = t1 - 0.2 * t2
+    t4 = t2 * c5
+    t5 = c6 * s7 + c7 * s6
+    t6 = s4 * t4 - c4 * t5
+    t7 = t4 * c4 + s4 * t5
+    t8 = t2 * s5
+    t9 = c3 * t7 - s3 * t8
+    t10 = t3 - 0.2 * t6 - 0.25 * t9
+    t11 = s4 * s5
+    t12 = c4 * s5
+    t13 = c3 * t12 + c5 * s3
+    t14 = c2 * t11 - s2 * t13
+    t15 = 0.25 * t13 - -0.2 * t11
+    t16 = t9 * s2 - t6 * c2
+    t17 = t10 * t14 - t15 * t16
+    t18 = c5 * t5
+    t19 = t2 * s4 - c4 * t18
+    t20 = t5 * s5
+    t21 = s3 * t19 - c3 * t20
+    t22 = 0.2 * s7
+    t23 = t22 + 0.2 * t5
+    t24 = s4 * t18 + t2 * c4
+    t25 = c3 * t19 + s3 * t20
+    t26 = 0.125 - (t23 + 0.2 * t24 - 0.25 * t25)
+    t27 = c3 * t8 + t7 * s3
+    t28 = t10 * t21 + t26 * t27
+    t29 = s2 * t25 + c2 * t24
+    t30 = t10 * t29 + t16 * t26
+    t31 = c5 * c3 - s3 * t12
+    t32 = t15 * t27 - t10 * t31
+    t33 = t17 * t28 + t30 * t32
+    t34 = 0.125 - t23
+    t35 = t11 * t34
+    t36 = t6 * t34 - t3 * t24
+    t37 = t3 * t11
+    t38 = t32 * t36 - t28 * t37
+    t39 = t15 * t29 + t14 * t26
+    t40 = t17 * t36 + t30 * t37
+    t41 = t15 * t21 + t26 * t31
+    t42 = c5 * t34
+    t43 = t3 * t20 - t8 * t34
+    t44 = t3 * c5
+    t45 = t32 * t43 - t28 * t44
+    t46 = t17 * t43 + t30 * t44
+    t47 = t2 * t3 + t5 * t34
+    t48 = t32 * t47
+    t49 = t17 * t47
+    t50 = t1 * t28
+    t51 = 0.125 - t22
+    t52 = t1 * t30
+    t53 = t37 * t43 - t36 * t44
+    t54 = t37 * t47
+    t55 = t1 * t36
+    t56 = t44 * t47
+    t57 = t1 * t43
+    t58 = t1 * t47
+
+    # results
+    minors = np.empty((*leading, 56), real)
+    minors[..., 0] = t33 * t35 + t38 * t39 + t40 * t41
+    minors[..., 1] = t33 * t42 + t39 * t45 + t41 * t46
+    minors[..., 2] = -(t39 * t48 + t41 * t49)
+    minors[..., 3] = t39 * t50 - t33 * t51 - t41 * t52
+    minors[..., 4] = -0.125 * t33
+    minors[..., 5] = 0.0
+    minors[..., 6] = t40 * t42 + t39 * t53 - t35 * t46
+    minors[..., 7] = t35 * t49 - t39 * t54
+    minors[..., 8] = t39 * t55 - t40 * t51 + t35 * t52
+    minors[..., 9] = -0.125 * t40
+    minors[..., 10] = 0.0
+    minors[..., 11] = t42 * t49 - t39 * t56
+    minors[..., 12] = t39 * t57 - t46 * t51 + t42 * t52
+    minors[..., 13] = -0.125 * t46
+    minors[..., 14] = 0.0
+    minors[..., 15] = t49 * t51 - t39 * t58
+    minors[..., 16] = -(-0.125 * t49)
+    minors[..., 17] = 0.0
+    minors[..., 18] = -(-0.125 * t52)
+    minors[..., 19] = 0.0
+    minors[..., 20] = 0.0
+    minors[..., 21] = t38 * t42 - t41 * t53 - t35 * t45
+    minors[..., 22] = t41 * t54 + t35 * t48
+    minors[..., 23] = -(t41 * t55 + t38 * t51 + t35 * t50)
+    minors[..., 24] = -0.125 * t38
+    minors[..., 25] = 0.0
+    minors[..., 26] = t41 * t56 + t42 * t48
+    minors[..., 27] = -(t41 * t57 + t45 * t51 + t42 * t50)
+    minors[..., 28] = -0.125 * t45
+    minors[..., 29] = 0.0
+    minors[..., 30] = t41 * t58 + t48 * t51
+    minors[..., 31] = -(-0.125 * t48)
+    minors[..., 32] = 0.0
+    minors[..., 33] = -0.125 * t50
+    minors[..., 34] = 0.0
+    minors[..., 35] = 0.0
+    minors[..., 36] = t42 * t54 - t35 * t56
+    minors[..., 37] = t35 * t57 - t51 * t53 - t42 * t55
+    minors[..., 38] = -0.125 * t53
+    minors[..., 39] = 0.0
+    minors[..., 40] = t51 * t54 - t35 * t58
+    minors[..., 41] = -(-0.125 * t54)
+    minors[..., 42] = 0.0
+    minors[..., 43] = -0.125 * t55
+    minors[..., 44] = 0.0
+    minors[..., 45] = 0.0
+    minors[..., 46] = t51 * t56 - t42 * t58
+    minors[..., 47] = -(-0.125 * t56)
+    minors[..., 48] = 0.0
+    minors[..., 49] = -0.125 * t57
+    minors[..., 50] = 0.0
+    minors[..., 51] = 0.0
+    minors[..., 52] = -(-0.125 * t58)
+    minors[..., 53] = 0.0
+    minors[..., 54] = 0.0
+    minors[..., 55] = 0.0
+    return minors.reshape(leading + (56,))
+
+
+def null_projector_position(q):
+    """projector I - J^+ J onto the null space of the position Jacobian: 841 operations.
+
+    in   q[8]
+    out  null_projector[8][8]
+    """
+    q = np.asarray(q)
+    leading = np.broadcast_shapes(q.shape[:-1])
+    real = np.result_type(q, np.float32)
+
+    # inputs, sines and cosines
+    q7 = q[..., 6]
+    s7 = np.sin(q7)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    q4 = q[..., 3]
+    c4 = np.cos(q4)
+    q5 = q[..., 4]
+    s5 = np.sin(q5)
+    c5 = np.cos(q5)
+    s3 = np.sin(q3)
+    s4 = np.sin(q4)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    q6 = q[..., 5]
+    c6 = np.cos(q6)
+    c7 = np.cos(q7)
+    s6 = np.sin(q6)
+    c2 = np.cos(q2)
+
+    # terms
+    t1 = 0.2 * s7
+    t2 = 0.125 - t1
+    t3 = c4 * s5
+    t4 = c3 * t3 + c5 * s3
+    t5 = s5 * s4
+    t6 = 0.25 * t4 - -0.2 * t5
+    t7 = c6 * c7 - s7 * s6
+    t8 = s7 * c6 + c7 * s6
+    t9 = c5 * t8
+    t10 = s4 * t7 - c4 * t9
+    t11 = s5 * t8
+    t12 = c3 * t10 + s3 * t11
+    t13 = s4 * t9 + c4 * t7
+    t14 = s2 * t12 + c2 * t13
+    t15 = t1 + 0.2 * t8
+    t16 = 0.125 - (t15 + 0.2 * t13 - 0.25 * t12)
+    t17 = t5 * c2 - t4 * s2
+    t18 = t6 * t14 + t16 * t17
+    t19 = s3 * t10 - c3 * t11
+    t20 = c3 * c5 - t3 * s3
+    t21 = t6 * t19 + t16 * t20
+    t22 = 0.125 - t15
+    t23 = t5 * t22
+    t24 = 0.015625 + t2 * t2 + t18 * t18 + t21 * t21 + t23 * t23
+    t25 = c5 * t22
+    t26 = np.sqrt((t24 + t25 * t25))
+    t27 = t18 / t26
+    t28 = t21 / t26
+    t29 = t23 / t26
+    t30 = t25 / t26
+    t31 = t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
+    t32 = np.where(t26 != 0.0, t2 / t26, 0.0)
+    t33 = -0.125 / t26
+    t34 = np.where(t26 != 0.0, np.where(t26 != 0.0, t31, 0.0), 0.0) + t32 * t32 + np.where(t26 != 0.0, np.where(t26 != 0.0, t33 * t33, 0.0), 0.0)
+    t35 = np.sqrt(t34)
+    t36 = t27 / t35
+    t37 = -0.2 * c7
+    t38 = t37 - 0.2 * t7
+    t39 = c5 * t7
+    t40 = s4 * t39 - c4 * t8
+    t41 = c4 * t39 + s4 * t8
+    t42 = s5 * t7
+    t43 = c3 * t41 - s3 * t42
+    t44 = t38 - 0.2 * t40 - 0.25 * t43
+    t45 = s2 * t43 - c2 * t40
+    t46 = t17 * t44 - t6 * t45
+    t47 = t28 / t35
+    t48 = c3 * t42 + s3 * t41
+    t49 = t6 * t48 - t20 * t44
+    t50 = t29 / t35
+    t51 = t5 * t38
+    t52 = t30 / t35
+    t53 = c5 * t38
+    t54 = t36 * t46 - t47 * t49 + t50 * t51 + t52 * t53
+    t55 = t32 / t35
+    t56 = np.where(t26 != 0.0, np.where(t35 != 0.0, t54, 0.0), 0.0) - np.where(t35 != 0.0, -(t37 * t55), 0.0)
+    t57 = t46 - np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t56, 0.0), 0.0)
+    t58 = t49 - np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t56), 0.0), 0.0)
+    t59 = t51 - np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t56, 0.0), 0.0)
+    t60 = t53 - np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t56, 0.0), 0.0)
+    t61 = t57 * t57 + t58 * t58 + t59 * t59 + t60 * t60
+    t62 = t37 + np.where(t35 != 0.0, -(t55 * t56), 0.0)
+    t63 = t33 / t35
+    t64 = np.where(t26 != 0.0, np.where(t35 != 0.0, t56 * t63, 0.0), 0.0)
+    t65 = np.sqrt((t61 + t62 * t62 + t64 * t64))
+    t66 = t57 / t65
+    t67 = t58 / t65
+    t68 = t59 / t65
+    t69 = t60 / t65
+    t70 = t36 * t66 - t47 * t67 + t50 * t68 + t52 * t69
+    t71 = t62 / t65
+    t72 = t64 / t65
+    t73 = np.where(t26 != 0.0, np.where(t35 != 0.0, t70, 0.0), 0.0) + np.where(t35 != 0.0, t55 * t71, 0.0) + np.where(t26 != 0.0, np.where(t35 != 0.0, -(t63 * t72), 0.0), 0.0)
+    t74 = np.where(t65 != 0.0, t66, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t36 * t73, 0.0), 0.0), 0.0)
+    t75 = np.where(t65 != 0.0, t67, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, -(t47 * t73), 0.0), 0.0), 0.0)
+    t76 = np.where(t65 != 0.0, t68, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t50 * t73, 0.0), 0.0), 0.0)
+    t77 = np.where(t65 != 0.0, t69, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t52 * t73, 0.0), 0.0), 0.0)
+    t78 = t74 * t74 + t75 * t75 + t76 * t76 + t77 * t77
+    t79 = np.where(t65 != 0.0, -t71, 0.0) - np.where(t35 != 0.0, np.where(t65 != 0.0, -(t55 * t73), 0.0), 0.0)
+    t80 = np.where(t65 != 0.0, -t72, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t63 * t73, 0.0), 0.0), 0.0)
+    t81 = np.sqrt((t78 + t79 * t79 + t80 * t80))
+    t82 = t74 / t81
+    t83 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t36, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t82, 0.0), 0.0)
+    t84 = t22 * t40 - t13 * t38
+    t85 = t14 * t44 + t16 * t45
+    t86 = t19 * t44 + t16 * t48
+    t87 = t11 * t38 - t22 * t42
+    t88 = t50 * t84 - (t36 * t85 + t47 * t86) + t52 * t87
+    t89 = t55 * t88
+    t90 = t86 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t88), 0.0), 0.0), 0.0), 0.0)
+    t91 = t75 / t81
+    t92 = t85 + np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t88, 0.0), 0.0), 0.0), 0.0)
+    t93 = t84 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t88, 0.0), 0.0), 0.0), 0.0)
+    t94 = t76 / t81
+    t95 = t87 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t88, 0.0), 0.0), 0.0), 0.0)
+    t96 = t77 / t81
+    t97 = t90 * t91 - t82 * t92 + t93 * t94 + t95 * t96
+    t98 = t79 / t81
+    t99 = t63 * t88
+    t100 = t80 / t81
+    t101 = t97 - np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t89 * t98), 0.0), 0.0), 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t99 * t100, 0.0), 0.0), 0.0), 0.0)
+    t102 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -t89, 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t101, 0.0), 0.0)
+    t103 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t99, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t101, 0.0), 0.0)
+    t104 = t92 + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t101, 0.0), 0.0)
+    t105 = t90 - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t101, 0.0), 0.0)
+    t106 = t102 * t102 + t103 * t103 + t104 * t104 + t105 * t105
+    t107 = t93 - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t101, 0.0), 0.0)
+    t108 = t95 - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t101, 0.0), 0.0)
+    t109 = t7 * t38 + t8 * t22
+    t110 = np.sqrt((t106 + t107 * t107 + t108 * t108 + t109 * t109))
+    t111 = t102 / t110
+    t112 = t107 / t110
+    t113 = t104 / t110
+    t114 = t105 / t110
+    t115 = t108 / t110
+    t116 = t50 * t112 - (t36 * t113 + t47 * t114) + t52 * t115
+    t117 = t103 / t110
+    t118 = np.where(t26 != 0.0, np.where(t35 != 0.0, t116, 0.0), 0.0) + np.where(t35 != 0.0, t55 * t111, 0.0) + np.where(t26 != 0.0, np.where(t35 != 0.0, -(t63 * t117), 0.0), 0.0)
+    t119 = np.where(t110 != 0.0, -t111, 0.0) - np.where(t35 != 0.0, np.where(t110 != 0.0, -(t55 * t118), 0.0), 0.0)
+    t120 = np.where(t110 != 0.0, -t113, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t36 * t118, 0.0), 0.0), 0.0)
+    t121 = np.where(t110 != 0.0, t114, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, -(t47 * t118), 0.0), 0.0), 0.0)
+    t122 = np.where(t110 != 0.0, t112, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t50 * t118, 0.0), 0.0), 0.0)
+    t123 = np.where(t110 != 0.0, t115, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t52 * t118, 0.0), 0.0), 0.0)
+    t124 = t82 * t120 + t91 * t121 + t94 * t122 + t96 * t123
+    t125 = np.where(t110 != 0.0, -t117, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t63 * t118, 0.0), 0.0), 0.0)
+    t126 = t124 + t98 * t119 + t100 * t125
+    t127 = t119 - np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t126, 0.0), 0.0)
+    t128 = t125 - np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t126, 0.0), 0.0)
+    t129 = t120 - np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t126, 0.0), 0.0)
+    t130 = t121 - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t126, 0.0), 0.0)
+    t131 = t127 * t127 + t128 * t128 + t129 * t129 + t130 * t130
+    t132 = t122 - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t126, 0.0), 0.0)
+    t133 = t123 - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t126, 0.0), 0.0)
+    t134 = t109 / t110
+    t135 = t131 + t132 * t132 + t133 * t133 + np.where(t110 != 0.0, np.where(t110 != 0.0, t134 * t134, 0.0), 0.0)
+    t136 = np.sqrt(t135)
+    t137 = t129 / t136
+    t138 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t36 * t47), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t91, 0.0), 0.0)
+    t139 = t130 / t136
+    t140 = -(t138 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t139, 0.0), 0.0))
+    t141 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t94, 0.0), 0.0)
+    t142 = t132 / t136
+    t143 = -(t141 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t142, 0.0), 0.0))
+    t144 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t52, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t96, 0.0), 0.0)
+    t145 = t133 / t136
+    t146 = -(t144 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t145, 0.0), 0.0))
+    t147 = t134 / t136
+    t148 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t137 * t147), 0.0), 0.0), 0.0)
+    t149 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t36 * t55), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t98, 0.0), 0.0)
+    t150 = t127 / t136
+    t151 = -(t149 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t150, 0.0), 0.0))
+    t152 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t100, 0.0), 0.0)
+    t153 = t128 / t136
+    t154 = -(t152 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t153, 0.0), 0.0))
+    t155 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t91, 0.0), 0.0)
+    t156 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t94, 0.0), 0.0)
+    t157 = -(t156 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t142, 0.0), 0.0))
+    t158 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t52), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t96, 0.0), 0.0)
+    t159 = -(t158 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t145, 0.0), 0.0))
+    t160 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t139 * t147), 0.0), 0.0), 0.0)
+    t161 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t47 * t55, 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t98, 0.0), 0.0)
+    t162 = -(t161 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t150, 0.0), 0.0))
+    t163 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t63), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t100, 0.0), 0.0)
+    t164 = -(t163 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t153, 0.0), 0.0))
+    t165 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t94, 0.0), 0.0)
+    t166 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t52, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t96, 0.0), 0.0)
+    t167 = -(t166 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t145, 0.0), 0.0))
+    t168 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t142 * t147), 0.0), 0.0), 0.0)
+    t169 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t50 * t55), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t98, 0.0), 0.0)
+    t170 = -(t169 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t150, 0.0), 0.0))
+    t171 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t100, 0.0), 0.0)
+    t172 = -(t171 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t153, 0.0), 0.0))
+    t173 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t52, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t96, 0.0), 0.0)
+    t174 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t145 * t147), 0.0), 0.0), 0.0)
+    t175 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t52 * t55), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t98, 0.0), 0.0)
+    t176 = -(t175 + np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t150, 0.0), 0.0))
+    t177 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t100, 0.0), 0.0)
+    t178 = -(t177 + np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t153, 0.0), 0.0))
+    t179 = -np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, -(t147 * t150), 0.0), 0.0), 0.0)
+    t180 = -np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, -(t147 * t153), 0.0), 0.0), 0.0)
+    t181 = 1.0 - np.where(t35 != 0.0, np.where(t35 != 0.0, t55 * t55, 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t98, 0.0), 0.0)
+    t182 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t35 != 0.0, -(t55 * t63), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t100, 0.0), 0.0)
+    t183 = -(t182 + np.where(t136 != 0.0, np.where(t136 != 0.0, t150 * t153, 0.0), 0.0))
+    t184 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t63 * t63, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t100, 0.0), 0.0)
+
+    # results
+    null_projector = np.empty((*leading, 64), real)
+    null_projector[..., 0] = t83 - np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t137, 0.0), 0.0)
+    null_projector[..., 1] = t140
+    null_projector[..., 2] = t143
+    null_projector[..., 3] = t146
+    null_projector[..., 4] = t148
+    null_projector[..., 5] = t151
+    null_projector[..., 6] = t154
+    null_projector[..., 7] = 0.0
+    null_projector[..., 8] = t140
+    null_projector[..., 9] = t155 - np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t139, 0.0), 0.0)
+    null_projector[..., 10] = t157
+    null_projector[..., 11] = t159
+    null_projector[..., 12] = t160
+    null_projector[..., 13] = t162
+    null_projector[..., 14] = t164
+    null_projector[..., 15] = 0.0
+    null_projector[..., 16] = t143
+    null_projector[..., 17] = t157
+    null_projector[..., 18] = t165 - np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t142, 0.0), 0.0)
+    null_projector[..., 19] = t167
+    null_projector[..., 20] = t168
+    null_projector[..., 21] = t170
+    null_projector[..., 22] = t172
+    null_projector[..., 23] = 0.0
+    null_projector[..., 24] = t146
+    null_projector[..., 25] = t159
+    null_projector[..., 26] = t167
+    null_projector[..., 27] = t173 - np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t145, 0.0), 0.0)
+    null_projector[..., 28] = t174
+    null_projector[..., 29] = t176
+    null_projector[..., 30] = t178
+    null_projector[..., 31] = 0.0
+    null_projector[..., 32] = t148
+    null_projector[..., 33] = t160
+    null_projector[..., 34] = t168
+    null_projector[..., 35] = t174
+    null_projector[..., 36] = 1.0 - np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, t147 * t147, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 37] = t179
+    null_projector[..., 38] = t180
+    null_projector[..., 39] = 0.0
+    null_projector[..., 40] = t151
+    null_projector[..., 41] = t162
+    null_projector[..., 42] = t170
+    null_projector[..., 43] = t176
+    null_projector[..., 44] = t179
+    null_projector[..., 45] = t181 - np.where(t136 != 0.0, np.where(t136 != 0.0, t150 * t150, 0.0), 0.0)
+    null_projector[..., 46] = t183
+    null_projector[..., 47] = 0.0
+    null_projector[..., 48] = t154
+    null_projector[..., 49] = t164
+    null_projector[..., 50] = t172
+    null_projector[..., 51] = t178
+    null_projector[..., 52] = t180
+    null_projector[..., 53] = t183
+    null_projector[..., 54] = t184 - np.where(t136 != 0.0, np.where(t136 != 0.0, t153 * t153, 0.0), 0.0)
+    null_projector[..., 55] = 0.0
+    null_projector[..., 56] = 0.0
+    null_projector[..., 57] = 0.0
+    null_projector[..., 58] = 0.0
+    null_projector[..., 59] = 0.0
+    null_projector[..., 60] = 0.0
+    null_projector[..., 61] = 0.0
+    null_projector[..., 62] = 0.0
+    null_projector[..., 63] = 1.0
+    return null_projector.reshape(leading + (8, 8))

@@ -1,0 +1,174 @@
+/* ur5e_kinematics.c: kinematics of ur5e.
+ * Made from templates/kernel.c.j2; inputs 105dec214f85d4dfca2c0592759486edfadcc0acc74bd68a33bc78b69476a8b8. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "ur5e_kinematics.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char ur5e_kinematics_digest[] = "105dec214f85d4dfca2c0592759486edfadcc0acc74bd68a33bc78b69476a8b8";
+#endif
+
+#define LANES 64
+#define TERMS(name) name##_tile
+#include "ur5e_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "ur5e_kinematics.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(ur5e_position)(const real *q, real *position)
+{
+    ur5e_position_one(q, position);
+}
+
+void CHAINRULE_NAME(ur5e_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real position[3 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_position_one(q, position);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_position_tile(q, position);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(ur5e_pose)(const real *q, real *pose)
+{
+    ur5e_pose_one(q, pose);
+}
+
+void CHAINRULE_NAME(ur5e_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real pose[16 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_pose_one(q, pose);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_pose_tile(q, pose);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(ur5e_jacobian_position)(const real *q, real *jacobian)
+{
+    ur5e_jacobian_position_one(q, jacobian);
+}
+
+void CHAINRULE_NAME(ur5e_jacobian_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real jacobian[18 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_jacobian_position_one(q, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_jacobian_position_tile(q, jacobian);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(ur5e_jacobian_pose)(const real *q, real *jacobian)
+{
+    ur5e_jacobian_pose_one(q, jacobian);
+}
+
+void CHAINRULE_NAME(ur5e_jacobian_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real jacobian[36 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_jacobian_pose_one(q, jacobian);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            ur5e_jacobian_pose_tile(q, jacobian);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(ur5e_kinematics_position)(const real *q, real *position, real *jacobian)
+{
+    ur5e_kinematics_position_one(q, position, jacobian);
+}
+
+void CHAINRULE_NAME(ur5e_kinematics_position_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real position[3 * 64];
+    real jacobian[18 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            ur5e_kinematics_position_one(q, position, jacobian);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            ur5e_kinematics_position_tile(q, position, jacobian);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6]);
+        }
+    }
+}
+
+void CHAINRULE_NAME(ur5e_kinematics_pose)(const real *q, real *pose, real *jacobian)
+{
+    ur5e_kinematics_pose_one(q, pose, jacobian);
+}
+
+void CHAINRULE_NAME(ur5e_kinematics_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[6 * 64];
+    real pose[16 * 64];
+    real jacobian[36 * 64];
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            ur5e_kinematics_pose_one(q, pose, jacobian);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7]);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            ur5e_kinematics_pose_tile(q, pose, jacobian);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7]);
+        }
+    }
+}

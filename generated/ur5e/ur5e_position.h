@@ -1,0 +1,67 @@
+/* ur5e_position.h: manipulability (position) of ur5e.
+ * Made from templates/kernel.h.j2; inputs 113311d34dd2bc8c2e7f2f524293f0db93b5a75fa57fbb0eccf8a3315de1e41f. Do not edit: change the derivation and regenerate.
+ *
+ * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
+ *
+ * name(inputs..., outputs...)        one configuration; no state, no allocation, bounded time
+ * name_batch(count, args, steps)     many: args are the arrays in the order of the scalar function's arguments; steps
+ *                                    are byte strides, first from one configuration to the next for each argument,
+ *                                    then for each argument's own axes in turn
+ */
+#ifndef CHAINRULE_UR5E_POSITION_H
+#define CHAINRULE_UR5E_POSITION_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The digest above, to tell a library from another. */
+extern const char ur5e_position_digest[];
+
+/* manipulability H = sqrt(det(J J^T)) of the position Jacobian.
+ *   in   q[6]
+ *   out  manipulability (one number)
+ *   108 operations */
+void ur5e_manipulability_position(const double *q, double *manipulability);
+void ur5e_manipulability_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void ur5e_manipulability_positionf(const float *q, float *manipulability);
+void ur5e_manipulability_position_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the position Jacobian, columns in
+ * lexicographic order.
+ *   in   q[6]
+ *   out  manipulability (one number)
+ *   out  gradient[6]
+ *   out  inverse_gradient[6]
+ *   out  inverse_root_gradient[6]
+ *   343 operations */
+void ur5e_manipulability_gradient_position(const double *q, double *manipulability, double *gradient, double *inverse_gradient, double *inverse_root_gradient);
+void ur5e_manipulability_gradient_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void ur5e_manipulability_gradient_positionf(const float *q, float *manipulability, float *gradient, float *inverse_gradient, float *inverse_root_gradient);
+void ur5e_manipulability_gradient_position_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* maximal minors of the position Jacobian, columns in lexicographic order.
+ *   in   q[6]
+ *   out  minors[20]
+ *   90 operations */
+void ur5e_minors_position(const double *q, double *minors);
+void ur5e_minors_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void ur5e_minors_positionf(const float *q, float *minors);
+void ur5e_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* projector I - J^+ J onto the null space of the position Jacobian.
+ *   in   q[6]
+ *   out  null_projector[6][6]
+ *   541 operations */
+void ur5e_null_projector_position(const double *q, double *null_projector);
+void ur5e_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void ur5e_null_projector_positionf(const float *q, float *null_projector);
+void ur5e_null_projector_position_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* CHAINRULE_UR5E_POSITION_H */

@@ -1,0 +1,47 @@
+"""chainrule: what is known about a robot arm, as code that can be trusted.
+
+>>> import chainrule as cr
+>>> arm = cr.load("panda")
+>>> arm.jacobian([0.0, -0.8, 0.0, -2.3, 0.0, 1.6, 0.8]).shape
+(6, 7)
+
+Names load what they need on first use, so that importing the package is quick.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from chainrule.arm import Arm, Limits, arms, load, orthogonal_3r, planar, planar_3r
+    from chainrule.compile import NoCompilerWarning
+    from chainrule.errors import DescriptionError, GenerationError, InputError
+    from chainrule.generate import generate
+
+__all__ = [
+    "Arm", "DescriptionError", "GenerationError", "InputError", "Limits", "NoCompilerWarning", "arms", "generate", "load",
+    "orthogonal_3r", "planar", "planar_3r",
+]
+
+_HOMES = {
+    **dict.fromkeys(("Arm", "Limits", "arms", "load", "orthogonal_3r", "planar", "planar_3r"), "chainrule.arm"),
+    **dict.fromkeys(("DescriptionError", "GenerationError", "InputError"), "chainrule.errors"),
+    "NoCompilerWarning": "chainrule.compile",
+    "generate": "chainrule.generate",
+}
+
+
+def __getattr__(name: str) -> Any:
+    from importlib import import_module
+
+    if name in _HOMES:
+        return getattr(import_module(_HOMES[name]), name)
+    if name == "__version__":
+        from importlib.metadata import version
+
+        return version("chainrule")
+    raise AttributeError(f"module 'chainrule' has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return [*__all__, "__version__"]

@@ -1,0 +1,393 @@
+"""An arm: a description with its generated functions as methods. The face of chainrule."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chainrule import arms as embedded
+from chainrule.description import Description, Orthogonal3R, Planar, with_limits
+from chainrule.errors import InputError
+from chainrule.evaluators import Evaluator, Evaluators
+from chainrule.readers import dh, families, read
+
+Array = NDArray[Any]
+
+#: Criteria whose gradients are generated, and the output of the generated function that holds each.
+CRITERIA = {"H": 1, "1/H": 2, "H^(-1/2)": 3}
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Joint limits as arrays; infinite where there is none.
+
+    Attributes:
+        position: (n, 2) lower and upper, rad or m.
+        velocity: (n,) rad/s or m/s.
+        acceleration: (n,) rad/s^2 or m/s^2.
+        torque: (n,) N m or N.
+    """
+
+    position: Array
+    velocity: Array
+    acceleration: Array
+    torque: Array
+
+
+class Arm:
+    """An arm and everything generated for it. Make one with :func:`load`, :meth:`from_dh` or a family.
+
+    ``q`` is (..., n) in rad or m; leading axes broadcast; every method takes ``out=``, float64 and float32 (float32 in,
+    float32 out), strided and zero-size input. Integers count as float64. A configuration with a nan or infinite entry
+    gives nan; the others are not affected. Wrong shapes and complex numbers raise :class:`InputError`.
+
+    ``task`` is ``"position"`` (planar: x, y; spatial: x, y, z), ``"pose"`` (planar: x, y, alpha; spatial: linear and
+    angular velocity) or, for planar arms, ``"x_alpha"``. By default ``"position"`` for planar and orthogonal 3R arms,
+    ``"pose"`` for the rest.
+
+    Example:
+        >>> arm = planar_3r(1.0, 0.5, 0.25)
+        >>> arm.position([0.0, 0.0, 0.0])
+        array([1.75, 0.  ])
+    """
+
+    def __init__(self, description: Description) -> None:
+        self._description = description
+        self._evaluators = Evaluators(description.model)
+        self._parameters = tuple(np.array(p) for p in (description.model.parameters,) if p)
+        for parameters in self._parameters:
+            parameters.flags.writeable = False
+
+    # ---- what it is --------------------------------------------------------------------------------------------
+
+    @property
+    def description(self) -> Description:
+        """The description this arm was made from."""
+        return self._description
+
+    @property
+    def name(self) -> str:
+        """The arm's name."""
+        return self._description.name
+
+    @property
+    def n(self) -> int:
+        """Number of joints."""
+        return self._description.n
+
+    @property
+    def kinds(self) -> str:
+        """Joint kinds, such as ``"RRR"``."""
+        return self._description.kinds
+
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """The joints' names."""
+        return tuple(joint.name for joint in self._description.joints)
+
+    @property
+    def tasks(self) -> dict[str, int]:
+        """The tasks this kind of arm knows, with their number of rows m."""
+        if isinstance(self._description.geometry, Planar):
+            return {"position": 2, "x_alpha": 2, "pose": 3}
+        return {"position": 3, "pose": 6}
+
+    @property
+    def default_task(self) -> str:
+        """The task used when none is named."""
+        return "position" if isinstance(self._description.geometry, Planar | Orthogonal3R) else "pose"
+
+    @cached_property
+    def limits(self) -> Limits:
+        """Joint limits, infinite where there is none."""
+        joints, free = self._description.joints, (-np.inf, np.inf)
+
+        def column(values: Iterable[Any], missing: Any) -> Array:
+            array = np.array([missing if value is None else value for value in values], float)
+            array.flags.writeable = False
+            return array
+
+        return Limits(column((j.position for j in joints), free), column((j.velocity for j in joints), np.inf),
+                      column((j.acceleration for j in joints), np.inf), column((j.torque for j in joints), np.inf))
+
+    def with_limits(self, *, position: Sequence[Any] | None = None, velocity: Sequence[Any] | None = None,
+                    acceleration: Sequence[Any] | None = None, torque: Sequence[Any] | None = None) -> Arm:
+        """A copy with other limits: ``position`` (n, 2), the rest (n,); None or inf means no limit.
+
+        Raises:
+            DescriptionError: on a wrong number of entries, or a lower limit above the upper.
+
+        Example:
+            >>> planar_3r(1.0, 0.5, 0.25).with_limits(velocity=[1.0, 2.0, None]).limits.velocity
+            array([ 1.,  2., inf])
+        """
+        return Arm(with_limits(self._description, position=position, velocity=velocity, acceleration=acceleration,
+                               torque=torque))
+
+    @classmethod
+    def from_dh(cls, rows: Iterable[Sequence[Any]], **options: Any) -> Arm:
+        """The arm of a Denavit-Hartenberg table; see :func:`chainrule.readers.dh.from_dh` for the options.
+
+        Args:
+            rows: n rows (kind, alpha, a, d, theta), in rad and m.
+            options: ``convention`` ("modified" or "standard"), ``tool``, ``name``, limits, ``source``, ...
+
+        Raises:
+            DescriptionError: one line naming the row and column.
+
+        Example:
+            >>> arm = Arm.from_dh([("R", 0.0, 0.0, 0.3, 0.0), ("P", 0.0, 0.5, 0.0, 0.0)], name="lift")
+            >>> arm.position([0.0, 0.1])
+            array([0.5, 0. , 0.4])
+        """
+        return cls(dh.from_dh(rows, **options))
+
+    def __repr__(self) -> str:
+        return f"<Arm {self.name}: {self.n} joints ({self.kinds})>"
+
+    # ---- what is generated for it ------------------------------------------------------------------------------
+
+    def evaluator(self, name: str) -> Evaluator:
+        """A generated function by its name, such as ``"kinematics_pose"`` or ``"minors_position"``.
+
+        Its inputs are ``q`` and, for arms of a family, ``parameters`` (:attr:`parameters`).
+
+        Raises:
+            InputError: if this arm has no such function.
+        """
+        for group in self.groups:
+            found = self._evaluators.get(group, name)
+            if found is not None:
+                return found
+        known = sorted(key for group in self.groups for key in self._evaluators.group(group))
+        raise InputError(f"{self.name} has no generated function '{name}'; it has {', '.join(dict.fromkeys(known))}")
+
+    @property
+    def groups(self) -> tuple[str, ...]:
+        """Groups of generated functions: ``kinematics``, then each task with no more rows than joints."""
+        return ("kinematics", *(task for task, rows in self.tasks.items() if rows <= self.n))
+
+    @property
+    def parameters(self) -> Array:
+        """The numbers a family's functions take beside ``q`` (empty for other arms)."""
+        return self._parameters[0] if self._parameters else np.array([])
+
+    def prepare(self, progress: Callable[[str], None] = lambda line: None, groups: Sequence[str] | None = None) -> None:
+        """Derive and compile now what would otherwise be made on first use.
+
+        Args:
+            progress: called with one line for each step.
+            groups: which groups; all of :attr:`groups` when absent.
+        """
+        from concurrent.futures import ThreadPoolExecutor
+
+        from chainrule import compile as compiling
+
+        wanted = self.groups if groups is None else groups
+        with ThreadPoolExecutor(len(wanted)) as pool:
+            list(pool.map(lambda g: compiling.find(self._description.model, g, progress), wanted))
+        for group in wanted:
+            self._evaluators.group(group)
+
+    def _call(self, group: str, name: str, q: Any, out: Any) -> Any:
+        evaluator = self._evaluators.get(group, name)
+        if evaluator is None:
+            raise self._missing(name)
+        return evaluator(q, *self._parameters, out=out)
+
+    def _task(self, task: str | None) -> str:
+        if task is None:
+            return self.default_task
+        if task not in self.tasks:
+            raise InputError(f"{self.name}: there is no task {task!r}; {', '.join(self.tasks)} are accepted")
+        return task
+
+    def _task_group(self, task: str | None) -> str:
+        task = self._task(task)
+        if self.tasks[task] > self.n:
+            raise InputError(f"{self.name}: the task '{task}' has {self.tasks[task]} rows for {self.n} joints, so its "
+                             "Jacobian has no maximal minors; a task with no more rows than joints is accepted")
+        return task
+
+    def _missing(self, name: str) -> InputError:
+        kind, _, task = name.rpartition("_") if not name.endswith("x_alpha") else (name[:-8], "", "x_alpha")
+        rows, why = self.tasks.get(task, 0), "it is not generated for this arm"
+        if kind == "minors":
+            why = f"a {rows} x {self.n} Jacobian has too many minors; manipulability uses a factorisation instead"
+        elif kind == "null_vector":
+            why = f"it needs one joint more than the task has rows, and this is {self.n} joints for {rows} rows"
+        elif kind == "null_projector":
+            why = (f"{self.n} joints leave no null space to {rows} rows" if self.n <= rows
+                   else "it is generated for arms of up to 16 joints")
+        return InputError(f"{self.name}, {kind} of the task '{task}': {why}")
+
+    # ---- kinematics --------------------------------------------------------------------------------------------
+
+    def position(self, q: Any, *, out: Array | None = None) -> Array:
+        """Position of the tip, (..., 3) or planar (..., 2), in m, in the base frame."""
+        result: Array = self._call("kinematics", "position", q, out)
+        return result
+
+    def pose(self, q: Any, *, out: Array | None = None) -> Array:
+        """Pose of the tip as a homogeneous matrix, (..., 4, 4) or planar (..., 3, 3), in the base frame."""
+        result: Array = self._call("kinematics", "pose", q, out)
+        return result
+
+    def jacobian(self, q: Any, *, task: str | None = None, out: Array | None = None) -> Array:
+        """Task Jacobian (..., m, n) in the base frame; rows (v; omega) for the spatial pose.
+
+        Example:
+            >>> planar_3r(1.0, 0.5, 0.25).jacobian([0.0, 0.0, 0.0])
+            array([[-0.  , -0.  , -0.  ],
+                   [ 1.75,  0.75,  0.25]])
+        """
+        result: Array = self._call("kinematics", f"jacobian_{self._task(task)}", q, out)
+        return result
+
+    def kinematics(self, q: Any, *, task: str | None = None, out: tuple[Array, Array] | None = None) -> tuple[Array, Array]:
+        """Position (task "position") or pose (other tasks), and the task Jacobian, in one evaluation."""
+        result: tuple[Array, Array] = self._call("kinematics", f"kinematics_{self._task(task)}", q, out)
+        return result
+
+    # ---- manipulability ----------------------------------------------------------------------------------------
+
+    def minors(self, q: Any, *, task: str | None = None, out: Array | None = None) -> Array:
+        """Maximal minors of the task Jacobian, (..., C(n, m)), columns as in ``itertools.combinations(range(n), m)``.
+
+        They vanish together exactly at the singular configurations. For n = m there is one: the determinant.
+        """
+        task = self._task_group(task)
+        result: Array = self._call(task, f"minors_{task}", q, out)
+        return result
+
+    def manipulability(self, q: Any, *, task: str | None = None, out: Array | None = None) -> Array:
+        """H = sqrt(det(J J^T)), (...,): the root of the sum of the squared maximal minors (Cauchy-Binet).
+
+        Zero exactly where the task Jacobian loses rank. De Luca, equation (1), for the planar 3R arm.
+
+        Example:
+            >>> float(planar_3r(1.0, 0.5, 0.25).manipulability([0.3, 0.0, 0.0]))
+            0.0
+        """
+        task = self._task_group(task)
+        result: Array = self._call(task, f"manipulability_{task}", q, out)
+        return result
+
+    def manipulability_gradient(self, q: Any, *, task: str | None = None, criterion: str = "H",
+                                out: Array | None = None) -> Array:
+        """Gradient with respect to q, (..., n), of a criterion: ``"H"``, ``"1/H"`` or ``"H^(-1/2)"``.
+
+        At H = 0 (within the smallest numbers of the type) no gradient exists; the answer there is the zero vector for
+        all three: H has a minimum (0 is its smallest subgradient), and 1/H and H^(-1/2) are infinite.
+
+        Raises:
+            InputError: an unknown criterion, or a task with more rows than joints.
+        """
+        task = self._task_group(task)
+        if criterion not in CRITERIA:
+            raise InputError(f"{self.name}: there is no criterion {criterion!r}; {', '.join(CRITERIA)} are accepted")
+        place = CRITERIA[criterion]
+        outputs = None if out is None else tuple(out if k == place else None for k in range(4))
+        result: Array = self._call(task, f"manipulability_gradient_{task}", q, outputs)[place]
+        return result
+
+    def null_vector(self, q: Any, *, task: str | None = None, out: Array | None = None) -> Array:
+        """N (..., n) with J N = 0 for an arm with one joint to spare: N_j = (-1)^j det(J without column j).
+
+        Smooth in q, of length H: divide by H for the unit vector; it vanishes exactly at singular configurations.
+
+        Raises:
+            InputError: if n - m is not 1.
+        """
+        task = self._task_group(task)
+        result: Array = self._call(task, f"null_vector_{task}", q, out)
+        return result
+
+    def null_projector(self, q: Any, *, task: str | None = None, out: Array | None = None) -> Array:
+        """P = I - J^+ J (..., n, n), the orthogonal projector onto the null space of the task Jacobian.
+
+        By orthogonal factorisation, so that P is symmetric and idempotent to rounding also near singularities; at an
+        exactly singular configuration rows of J that vanish in the factorisation are left out.
+        """
+        task = self._task_group(task)
+        result: Array = self._call(task, f"null_projector_{task}", q, out)
+        return result
+
+
+def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | None = None) -> Arm:
+    """An arm by name or from a file.
+
+    Args:
+        source: an embedded arm's name (:func:`arms`), or the path of a ``.toml`` or ``.urdf`` file.
+        tip: for a URDF, the link the chain ends in (needed where the tree has several leaves).
+        base: for a URDF, the link the chain begins at (default: the root).
+
+    Raises:
+        InputError: an unknown name; the message lists the known ones.
+        DescriptionError: a file that is not right, with the place and what would be accepted.
+
+    Example:
+        >>> load("panda")
+        <Arm panda: 7 joints (RRRRRRR)>
+    """
+    text = os.fspath(source)
+    if isinstance(source, str) and text in embedded.names():
+        return Arm(read(embedded.path(text)))
+    if isinstance(source, str) and not text.lower().endswith((".toml", ".urdf", ".xacro")) and not os.path.exists(text):
+        embedded.path(text)  # raises, with the list of names
+    return Arm(read(source, tip=tip, base=base))
+
+
+def arms() -> tuple[str, ...]:
+    """The names of the embedded arms.
+
+    Example:
+        >>> "planar_3r" in arms()
+        True
+    """
+    return embedded.names()
+
+
+def planar_3r(l1: float, l2: float, l3: float) -> Arm:
+    """The planar arm with three revolute joints and link lengths l1, l2, l3 (m).
+
+    Example:
+        >>> planar_3r(1.0, 0.5, 0.25).n
+        3
+    """
+    return Arm(families.planar_3r(l1, l2, l3))
+
+
+def planar(kinds: str | Sequence[str], lengths: Sequence[float], headings: Sequence[float] | None = None,
+           **options: Any) -> Arm:
+    """A planar chain of revolute ("R") and prismatic ("P") joints.
+
+    R turns the heading by theta_i, then advances l_i; P turns it by heading_i, then advances l_i + theta_i.
+
+    Args:
+        kinds: one letter for each joint, such as "RPR".
+        lengths: (n,) in m.
+        headings: (n,) in rad, 0 for revolute joints; all 0 when absent.
+        options: ``name``, ``joint_names``, ``source``.
+
+    Example:
+        >>> planar("RP", [0.0, 0.5]).position([0.0, 0.25])
+        array([0.75, 0.  ])
+    """
+    return Arm(families.planar(kinds, lengths, headings, **options))
+
+
+def orthogonal_3r(d2: float, d3: float, d4: float, r2: float) -> Arm:
+    """The orthogonal 3R arm (alpha_2 = -90 deg, alpha_3 = 90 deg, r_3 = 0) with lengths in m.
+
+    Example:
+        >>> orthogonal_3r(1.0, 2.0, 1.5, 1.0).position([0.0, 0.0, 0.0])
+        array([4.5, 1. , 0. ])
+    """
+    return Arm(families.orthogonal_3r(d2, d3, d4, r2))
