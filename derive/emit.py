@@ -5,7 +5,7 @@ Everything a template prints is computed here; the same inputs give the same byt
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -38,9 +38,14 @@ def _environment() -> jinja2.Environment:
     )
 
 
+def render(template: str, context: Mapping[str, Any]) -> str:
+    """A template filled in."""
+    return _environment().get_template(template).render(**context)
+
+
 def shared_headers() -> dict[str, str]:
     """The headers that do not depend on the arm."""
-    return {name: _environment().get_template(template).render(sincos=sincos.context() if "sincos" in name else {})
+    return {name: render(template, {"sincos": sincos.context() if "sincos" in name else {}})
             for name, template in SHARED.items()}
 
 
@@ -61,15 +66,16 @@ def unit(name: str, prefix: str, title: str, kernels: Sequence[Kernel], digest: 
     common = {"unit": name, "title": title, "digest": digest, "tile": tile, "shared": shared,
               "guard": f"CHAINRULE_{name.upper()}_H"}
     files = {
-        f"{name}.{suffix}": _environment().get_template(f"kernel.{suffix}.j2").render(functions=views, **common)
+        f"{name}.{suffix}": render(f"kernel.{suffix}.j2", {"functions": views, **common})
         for suffix in ("h", "c", "inc")
     }
     numpy_views = [_numpy_view(kernel) for kernel in kernels]
-    files[f"{name}.py"] = _environment().get_template("kernel.py.j2").render(functions=numpy_views, **common)
+    files[f"{name}.py"] = render("kernel.py.j2", {"functions": numpy_views, **common})
     return files
 
 
-def _port(port: Port) -> dict[str, Any]:
+def port_view(port: Port) -> dict[str, Any]:
+    """An array as the templates see it."""
     return {"name": port.name, "size": port.size, "shape": port.shape,
             "dims": "".join(f"[{extent}]" for extent in port.shape) or " (one number)"}
 
@@ -101,8 +107,8 @@ def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
         "symbol": f"{prefix}_{kernel.name}",
         "summary": kernel.summary,
         "operations": kernel.operations,
-        "inputs": [{**_port(p), **a} for p, a in zip(kernel.inputs, accesses[:count], strict=True)],
-        "outputs": [{**_port(p), **a} for p, a in zip(kernel.outputs, accesses[count:], strict=True)],
+        "inputs": [{**port_view(p), **a} for p, a in zip(kernel.inputs, accesses[:count], strict=True)],
+        "outputs": [{**port_view(p), **a} for p, a in zip(kernel.outputs, accesses[count:], strict=True)],
         "arguments": ", ".join(port.name for port in ports),
         "unused": [port.name for port in kernel.inputs if port.name not in used],
         "angles": len(listing.angles),
@@ -128,8 +134,8 @@ def _numpy_view(kernel: Kernel) -> dict[str, Any]:
         "name": kernel.name,
         "summary": kernel.summary,
         "operations": kernel.operations,
-        "inputs": [_port(p) for p in kernel.inputs],
-        "outputs": [_port(p) for p in kernel.outputs],
+        "inputs": [port_view(p) for p in kernel.inputs],
+        "outputs": [port_view(p) for p in kernel.outputs],
         "loads": loads,
         "terms": [f"{listing.names[s.index]} = {s.text}" for s in listing.statements],
         "stores": stores,

@@ -23,6 +23,7 @@ class Unit:
     name: str
     files: dict[str, str]
     record: dict[str, Any]
+    kernels: tuple[Any, ...] = ()
 
 
 def inputs_of(places: Places, model: Model, groups: Iterable[str]) -> tuple[str, ...]:
@@ -37,7 +38,12 @@ def inputs_of(places: Places, model: Model, groups: Iterable[str]) -> tuple[str,
 
 
 def make_unit(
-    places: Places, model: Model, groups: Sequence[str], name: str | None = None, shared: str = "../"
+    places: Places,
+    model: Model,
+    groups: Sequence[str],
+    name: str | None = None,
+    prefix: str | None = None,
+    shared: str = "../",
 ) -> Unit:
     """Derive, lower and write (as text) the given groups of a model.
 
@@ -46,6 +52,7 @@ def make_unit(
         model: the arm's structure.
         groups: which groups of the catalogue.
         name: the unit's name, ``<model>_<group>`` by default.
+        prefix: what its C symbols begin with, the model's name by default.
         shared: where the shared headers are, relative to the unit's files.
     """
     from chainrule.derive import catalogue, emit
@@ -55,8 +62,9 @@ def make_unit(
     digest = records.digest_of_inputs(places, inputs, model.digest)
     name = name or f"{model.name}_{groups[0]}"
     kernels = [lower(function) for group in groups for function in catalogue.functions(model, group)]
-    title = f"{' and '.join(g if g == 'kinematics' else f'manipulability ({g})' for g in groups)} of {model.name}"
-    files = emit.unit(name, model.name, title, kernels, digest, shared)
+    words = ["kinematics" if group == "kinematics" else f"manipulability ({group})" for group in groups]
+    title = f"{' and '.join(words)} of {prefix or model.name}"
+    files = emit.unit(name, prefix or model.name, title, kernels, digest, shared)
     functions = {
         kernel.name: {
             "summary": kernel.summary,
@@ -66,9 +74,9 @@ def make_unit(
         }
         for kernel in kernels
     }
-    record = {"model": model.name, "groups": list(groups), "models": [model.digest], "inputs": list(inputs),
+    record: dict[str, Any] = {"model": model.name, "groups": list(groups), "models": [model.digest], "inputs": list(inputs),
               "digest": digest, "functions": functions}
-    return Unit(name, files, record)
+    return Unit(name, files, record, tuple(kernels))
 
 
 def embedded(places: Places) -> dict[str, Description]:

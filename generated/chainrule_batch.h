@@ -40,7 +40,16 @@ CR_INLINE void chainrule_scatter(const real *restrict tile, int width, int count
     if (col_step == (ptrdiff_t)sizeof(real) && row_step == cols * (ptrdiff_t)sizeof(real)) {
         for (int i = 0; i < count; ++i) {
             real *entry = (real *)(void *)(to + i * outer);
-            for (int k = 0; k < rows * cols; ++k) {
+            int k = 0;
+            for (; k + 4 <= rows * cols; k += 4) { /* four loads before four stores: faster, as they cannot overlap */
+                const real a = tile[k * width + i], b = tile[(k + 1) * width + i];
+                const real c = tile[(k + 2) * width + i], d = tile[(k + 3) * width + i];
+                entry[k] = a;
+                entry[k + 1] = b;
+                entry[k + 2] = c;
+                entry[k + 3] = d;
+            }
+            for (; k < rows * cols; ++k) {
                 entry[k] = tile[k * width + i];
             }
         }

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 1ba3071e77d4acbe9389444d4e7f8ac901077a4ed0001fef06679504818306d6. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 67c124da03ab553aa806134edc37e4ae11fd621340197b04fd12e67f5cd84b43. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "1ba3071e77d4acbe9389444d4e7f8ac901077a4ed0001fef06679504818306d6";
+const char crx10ial_kinematics_digest[] = "67c124da03ab553aa806134edc37e4ae11fd621340197b04fd12e67f5cd84b43";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 1ba3071e77d4acbe9389444d4e7f8ac901077a4ed0001fef06679504818306d6. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 67c124da03ab553aa806134edc37e4ae11fd621340197b04fd12e67f5cd84b43. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1ba3071e77d4acbe9389444d4e7f8ac901077a4ed0001fef06679504818306d6.
+Made from templates/kernel.py.j2; inputs 67c124da03ab553aa806134edc37e4ae11fd621340197b04fd12e67f5cd84b43.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.h: manipulability (pose) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 34d774228d020734e77938e331b77a63a29d3f8407f667f590f8ddf7425af90b. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 34f9c2bb6976639d2ff263875c79cc072f47858fdf753e2f7cdd62acfe5cc5ca. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 34d774228d020734e77938e331b77a63a29d3f8407f667f590f8ddf7425af90b.
+Made from templates/kernel.py.j2; inputs 34f9c2bb6976639d2ff263875c79cc072f47858fdf753e2f7cdd62acfe5cc5ca.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

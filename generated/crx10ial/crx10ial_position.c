@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 34d774228d020734e77938e331b77a63a29d3f8407f667f590f8ddf7425af90b. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 34f9c2bb6976639d2ff263875c79cc072f47858fdf753e2f7cdd62acfe5cc5ca. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "34d774228d020734e77938e331b77a63a29d3f8407f667f590f8ddf7425af90b";
+const char crx10ial_position_digest[] = "34f9c2bb6976639d2ff263875c79cc072f47858fdf753e2f7cdd62acfe5cc5ca";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 1177c353ff1271c3948ee43dc5c35586178517e15bfcdfd9273278073578450e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 377f9a901eacdeb23c8b235a5517c863b4b6aa141bc4087a8c6331c78a58592d. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

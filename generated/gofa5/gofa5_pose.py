@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1177c353ff1271c3948ee43dc5c35586178517e15bfcdfd9273278073578450e.
+Made from templates/kernel.py.j2; inputs 377f9a901eacdeb23c8b235a5517c863b4b6aa141bc4087a8c6331c78a58592d.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

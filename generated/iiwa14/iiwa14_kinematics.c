@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 8bcc6bfcfa392a5403d733bf1fdbb50f4c74cc32b5ead5b6e9df5338ba832e8d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 7151ef5fdd2cf05a5bd99ad526513a2a612b13b44e49c8b39c1d06224beac63d. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "8bcc6bfcfa392a5403d733bf1fdbb50f4c74cc32b5ead5b6e9df5338ba832e8d";
+const char iiwa14_kinematics_digest[] = "7151ef5fdd2cf05a5bd99ad526513a2a612b13b44e49c8b39c1d06224beac63d";
 #endif
 
 #define LANES 64

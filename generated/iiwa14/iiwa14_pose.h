@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 080b066820fa6c1ef8a76e98f4943f184d885e7b16c467f99596dcae2b80cd1e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 3027dfc75e795408ed12b1fd6b32c3c0f43369e88cb997c241543ac9ec75e290. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 080b066820fa6c1ef8a76e98f4943f184d885e7b16c467f99596dcae2b80cd1e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 3027dfc75e795408ed12b1fd6b32c3c0f43369e88cb997c241543ac9ec75e290. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "080b066820fa6c1ef8a76e98f4943f184d885e7b16c467f99596dcae2b80cd1e";
+const char iiwa14_position_digest[] = "3027dfc75e795408ed12b1fd6b32c3c0f43369e88cb997c241543ac9ec75e290";
 #endif
 
 #define LANES 64

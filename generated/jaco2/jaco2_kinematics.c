@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 947e39ba5c9335306410eef1a94857588c031dcd0ca11a5852852edfdadc75fd. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 7ca71459cdfcd23679eb94092caea9d552ae133b6463f6cde955ac0cc47b051e. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "947e39ba5c9335306410eef1a94857588c031dcd0ca11a5852852edfdadc75fd";
+const char jaco2_kinematics_digest[] = "7ca71459cdfcd23679eb94092caea9d552ae133b6463f6cde955ac0cc47b051e";
 #endif
 
 #define LANES 64

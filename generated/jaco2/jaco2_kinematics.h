@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs 947e39ba5c9335306410eef1a94857588c031dcd0ca11a5852852edfdadc75fd. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 7ca71459cdfcd23679eb94092caea9d552ae133b6463f6cde955ac0cc47b051e. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

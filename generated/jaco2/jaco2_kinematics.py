@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 947e39ba5c9335306410eef1a94857588c031dcd0ca11a5852852edfdadc75fd.
+Made from templates/kernel.py.j2; inputs 7ca71459cdfcd23679eb94092caea9d552ae133b6463f6cde955ac0cc47b051e.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

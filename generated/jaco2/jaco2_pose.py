@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9051d394d44d45747894768e248099975dfc758792ae1a395643b27edb63e11c.
+Made from templates/kernel.py.j2; inputs afcf0a7b6e64bf035cc6e68f38d8c257cb1ae04e3420e8c50140b5de90b590e8.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

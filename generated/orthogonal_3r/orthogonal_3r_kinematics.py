@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs aab661c8661507eefe2d1ce63e059f4cc4c7a4cb629ee786e80a364b3aa7700e.
+Made from templates/kernel.py.j2; inputs 1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

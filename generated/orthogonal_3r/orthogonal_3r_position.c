@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs aab661c8661507eefe2d1ce63e059f4cc4c7a4cb629ee786e80a364b3aa7700e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "aab661c8661507eefe2d1ce63e059f4cc4c7a4cb629ee786e80a364b3aa7700e";
+const char orthogonal_3r_position_digest[] = "1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs fb127028ce68d89bffe47964d3a36b757efa15c882ac8fc1dc575cac228a0bca. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 3581f7ac490184f56130051c79851a90fa2fdfc899c453ede5db107ce5b1dfcb. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "fb127028ce68d89bffe47964d3a36b757efa15c882ac8fc1dc575cac228a0bca";
+const char panda_kinematics_digest[] = "3581f7ac490184f56130051c79851a90fa2fdfc899c453ede5db107ce5b1dfcb";
 #endif
 
 #define LANES 64

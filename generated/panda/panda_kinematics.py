@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fb127028ce68d89bffe47964d3a36b757efa15c882ac8fc1dc575cac228a0bca.
+Made from templates/kernel.py.j2; inputs 3581f7ac490184f56130051c79851a90fa2fdfc899c453ede5db107ce5b1dfcb.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs e9981318c865a6f9669fae93ebe8a794a5553c6d737a920b0ae09ea7ae2fe6e8. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 7108c1d141f924d4d6b70409a08707081927edb3a85e410b0620dd7cca452906. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "e9981318c865a6f9669fae93ebe8a794a5553c6d737a920b0ae09ea7ae2fe6e8";
+const char panda_pose_digest[] = "7108c1d141f924d4d6b70409a08707081927edb3a85e410b0620dd7cca452906";
 #endif
 
 #define LANES 64

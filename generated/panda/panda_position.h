@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs e9981318c865a6f9669fae93ebe8a794a5553c6d737a920b0ae09ea7ae2fe6e8. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 7108c1d141f924d4d6b70409a08707081927edb3a85e410b0620dd7cca452906. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,5 +1,5 @@
 /* planar_rrr_position.c: manipulability (position) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_position_digest[] = "21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90";
+const char planar_rrr_position_digest[] = "24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.h: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 21409daa3aa5d1326539699e0ce90bb75cbbcd285675d2f5d1ed43d6ba32ce90.
+Made from templates/kernel.py.j2; inputs 24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 6268ce3a58c106c8eeeb9c574d0e544f903653ba9a1494862c1bd616b1686bbb. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 8930b70208793e16e262aa11c053178e9465fc9877b8dcbc8c1bdbf7cfbf7923. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6268ce3a58c106c8eeeb9c574d0e544f903653ba9a1494862c1bd616b1686bbb.
+Made from templates/kernel.py.j2; inputs 8930b70208793e16e262aa11c053178e9465fc9877b8dcbc8c1bdbf7cfbf7923.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2cc7a01fd7b52383acd5fc57c050c3a4dfda28210914790ae4c5c81f90d0e343.
+Made from templates/kernel.py.j2; inputs 2a95d28ae1d7b933c5984c39b8c051d076b05edfd75387162e5218de6853875d.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 5567d9163257d525a279640070b3aed22b80c99024df0d18ff550e12e5051311. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 567806860f7b3e8d25cd292ecdba8015ead65d5889f589dd1d041b55284cce60. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "5567d9163257d525a279640070b3aed22b80c99024df0d18ff550e12e5051311";
+const char sanchez_8r_kinematics_digest[] = "567806860f7b3e8d25cd292ecdba8015ead65d5889f589dd1d041b55284cce60";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 5567d9163257d525a279640070b3aed22b80c99024df0d18ff550e12e5051311. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 567806860f7b3e8d25cd292ecdba8015ead65d5889f589dd1d041b55284cce60. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5567d9163257d525a279640070b3aed22b80c99024df0d18ff550e12e5051311.
+Made from templates/kernel.py.j2; inputs 567806860f7b3e8d25cd292ecdba8015ead65d5889f589dd1d041b55284cce60.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs ac12fce752740a8c7352744b3925b227756272cdf37e9b5a289f91bfe302852e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs e3f4b8fd47b4f4d9a2f212f042812b1e8f9688a4d6201484f6725a5573c16329. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ac12fce752740a8c7352744b3925b227756272cdf37e9b5a289f91bfe302852e.
+Made from templates/kernel.py.j2; inputs e3f4b8fd47b4f4d9a2f212f042812b1e8f9688a4d6201484f6725a5573c16329.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 105dec214f85d4dfca2c0592759486edfadcc0acc74bd68a33bc78b69476a8b8.
+Made from templates/kernel.py.j2; inputs 8fd1ed64ddc3634c642aa87ed4656714dd3a06eb886cd7c2f3fc6d34a3cf21ff.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 113311d34dd2bc8c2e7f2f524293f0db93b5a75fa57fbb0eccf8a3315de1e41f. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs b0a1ec93d47833cafe4452c2473bfaa068075e888be399720e64638cc7fc56b0. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "113311d34dd2bc8c2e7f2f524293f0db93b5a75fa57fbb0eccf8a3315de1e41f";
+const char ur5e_pose_digest[] = "b0a1ec93d47833cafe4452c2473bfaa068075e888be399720e64638cc7fc56b0";
 #endif
 
 #define LANES 64

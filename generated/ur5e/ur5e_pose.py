@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 113311d34dd2bc8c2e7f2f524293f0db93b5a75fa57fbb0eccf8a3315de1e41f.
+Made from templates/kernel.py.j2; inputs b0a1ec93d47833cafe4452c2473bfaa068075e888be399720e64638cc7fc56b0.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_position.h: manipulability (position) of ur5e.
- * Made from templates/kernel.h.j2; inputs 113311d34dd2bc8c2e7f2f524293f0db93b5a75fa57fbb0eccf8a3315de1e41f. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs b0a1ec93d47833cafe4452c2473bfaa068075e888be399720e64638cc7fc56b0. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

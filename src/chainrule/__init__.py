@@ -13,21 +13,21 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from chainrule.arm import Arm, Limits, arms, load, orthogonal_3r, planar, planar_3r
+    from chainrule.arm import Arm, Limits, load, orthogonal_3r, planar, planar_3r
     from chainrule.compile import NoCompilerWarning
     from chainrule.errors import DescriptionError, GenerationError, InputError
-    from chainrule.generate import generate
+    from chainrule.export import generate
 
 __all__ = [
-    "Arm", "DescriptionError", "GenerationError", "InputError", "Limits", "NoCompilerWarning", "arms", "generate", "load",
+    "Arm", "DescriptionError", "GenerationError", "InputError", "Limits", "NoCompilerWarning", "generate", "load",
     "orthogonal_3r", "planar", "planar_3r",
 ]
 
 _HOMES = {
-    **dict.fromkeys(("Arm", "Limits", "arms", "load", "orthogonal_3r", "planar", "planar_3r"), "chainrule.arm"),
+    **dict.fromkeys(("Arm", "Limits", "load", "orthogonal_3r", "planar", "planar_3r"), "chainrule.arm"),
     **dict.fromkeys(("DescriptionError", "GenerationError", "InputError"), "chainrule.errors"),
     "NoCompilerWarning": "chainrule.compile",
-    "generate": "chainrule.generate",
+    "generate": "chainrule.export",
 }
 
 

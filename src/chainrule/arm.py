@@ -324,7 +324,7 @@ def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | 
     """An arm by name or from a file.
 
     Args:
-        source: an embedded arm's name (:func:`arms`), or the path of a ``.toml`` or ``.urdf`` file.
+        source: an embedded arm's name (:func:`chainrule.arms.names`), or the path of a ``.toml`` or ``.urdf`` file.
         tip: for a URDF, the link the chain ends in (needed where the tree has several leaves).
         base: for a URDF, the link the chain begins at (default: the root).
 
@@ -342,16 +342,6 @@ def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | 
     if isinstance(source, str) and not text.lower().endswith((".toml", ".urdf", ".xacro")) and not os.path.exists(text):
         embedded.path(text)  # raises, with the list of names
     return Arm(read(source, tip=tip, base=base))
-
-
-def arms() -> tuple[str, ...]:
-    """The names of the embedded arms.
-
-    Example:
-        >>> "planar_3r" in arms()
-        True
-    """
-    return embedded.names()
 
 
 def planar_3r(l1: float, l2: float, l3: float) -> Arm:

@@ -83,9 +83,7 @@ def from_dh(
         inertias=() if inertias is None else tuple(inertias),
         source=source,
     )
-    return with_limits(
-        description, position=position, velocity=velocity, acceleration=acceleration, torque=torque
-    )
+    return with_limits(description, position=position, velocity=velocity, acceleration=acceleration, torque=torque)
 
 
 def _listed(rows: Iterable[Sequence[Any]]) -> list[Sequence[Any]]:

@@ -28,7 +28,8 @@ def read_limited(path: str | os.PathLike[str], limit: int) -> bytes:
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         raise DescriptionError(f"cannot be read ({getattr(error, 'strerror', None) or error})") from None
     if len(content) > limit:
-        raise DescriptionError(f"larger than {limit // 2**20} MiB, the most that is accepted")
+        size = f"{limit // 2**20} MiB" if limit >= 2**20 else f"{limit // 2**10} KiB"
+        raise DescriptionError(f"larger than {size}, the most that is accepted")
     return content
 
 

@@ -41,9 +41,7 @@ def as_transform(value: Any, what: str) -> Transform:
     ]
     if matrix[3] != [0.0, 0.0, 0.0, 1.0]:
         raise DescriptionError(f"{what}, row 4: {matrix[3]}; (0, 0, 0, 1) is accepted")
-    return Transform(
-        _rotation([row[:3] for row in matrix[:3]], what), (matrix[0][3], matrix[1][3], matrix[2][3])
-    )
+    return Transform(_rotation([row[:3] for row in matrix[:3]], what), (matrix[0][3], matrix[1][3], matrix[2][3]))
 
 
 def rotation_rpy(roll: float, pitch: float, yaw: float) -> Transform:
@@ -91,6 +89,4 @@ def _rotation(given: list[list[float]], what: str) -> Matrix3:
 
 def _departure(rotation: list[list[float]]) -> float:
     """The largest entry of |R^T R - I|."""
-    return max(
-        abs(math.fsum(row[j] * row[k] for row in rotation) - (j == k)) for j in range(3) for k in range(j, 3)
-    )
+    return max(abs(math.fsum(row[j] * row[k] for row in rotation) - (j == k)) for j in range(3) for k in range(j, 3))

@@ -56,6 +56,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import tomllib
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
@@ -79,8 +80,13 @@ from chainrule.readers.parts import as_transform, rotation_rpy
 
 SCHEMA = 1
 
-#: Larger files are refused; 256 joints with everything said about them take a tenth of this.
-MAX_BYTES = 2**20
+#: Larger files are refused; 256 joints with everything said about them take half of this.
+MAX_BYTES = 256 * 2**10
+
+# The time to parse a dotted key grows with the square of its parts. The schema has two at most, and prose has few words
+# between dots without a space, so files with more than a few such words are refused before they are parsed.
+_BETWEEN_DOTS = re.compile(r"""\.[ \t]*(?:[\w-]+|"(?:[^"\\\n]|\\.)*"|'[^'\n]*')[ \t]*(?=\.)""")
+_MOST_BETWEEN_DOTS = 200
 
 _TOP = ("chainrule", "name", "source", "angles", "limit_angles", "dh", "planar", "orthogonal_3r", "tool", "joints")
 _LENGTHS = ("d2", "d3", "d4", "r2")
@@ -133,12 +139,17 @@ def radians(degrees: float) -> float:
 
 def _parsed(content: bytes) -> dict[str, Any]:
     try:
-        return tomllib.loads(content.decode("utf-8-sig"))
+        text = content.decode("utf-8-sig")
+        if sum(1 for _ in _BETWEEN_DOTS.finditer(text)) > _MOST_BETWEEN_DOTS:
+            raise DescriptionError("not TOML that is accepted: dotted keys nested too deeply")
+        return tomllib.loads(text)
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         raise DescriptionError(f"line {line}: not UTF-8 text") from None
     except tomllib.TOMLDecodeError as error:
         raise DescriptionError(f"not TOML: {' '.join(str(error).split())}") from None
+    except DescriptionError:
+        raise
     except (RecursionError, ValueError) as error:  # ValueError: an integer of thousands of digits
         what = "nested too deeply" if isinstance(error, RecursionError) else "a number too long to read"
         raise DescriptionError(f"not TOML that is accepted: {what}") from None

@@ -401,9 +401,7 @@ class _Tree:
             self.below[joint.parent].append(joint)
         roots = [link for link in links if link not in self.above]
         if len(roots) > 1:
-            raise DescriptionError(
-                f"links {_listed(roots)} have no parent joint; exactly one root link is accepted"
-            )
+            raise DescriptionError(f"links {_listed(roots)} have no parent joint; exactly one root link is accepted")
         reached = sum(1 for _ in self._walk(roots[0])) if roots else 0
         if reached < len(links):
             self._refuse_loop(roots)
@@ -477,8 +475,9 @@ class _Tree:
         while link not in seen:  # every link outside the tree has a parent outside it, so this ends in the loop
             seen.append(link)
             link = self.above[link].parent
-        names = [self.above[link].name for link in seen[seen.index(link) :]]
-        raise DescriptionError(f"joints {_listed(names)} form a loop; a tree is accepted")
+        loop = seen[seen.index(link) :]  # from each link to its parent, so the joints are met backwards
+        names = [self.above[name].name for name in reversed(loop)]
+        raise DescriptionError(f"a loop of joints, {_listed(names)}; a tree is accepted")
 
 
 def _known_link(name: str | None, links: dict[str, Inertia | None], what: str) -> str | None:

@@ -1,0 +1,111 @@
+"""The folder that needs nothing else: one unit with every function of an arm, its test programs and its README."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from chainrule.derive import catalogue, emit
+from chainrule.derive.catalogue import Function
+from chainrule.derive.lower import Kernel
+from chainrule.derive.manifest import Places
+from chainrule.derive.reference import manipulability, reference
+from chainrule.derive.write import make_unit
+from chainrule.description import Description, identifier
+
+DIGITS = 40
+COUNT = 3  # configurations in the test programs
+LIMIT = 512  # times epsilon: the test programs' bound on the error relative to the largest entry
+
+
+def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], None]) -> dict[str, str]:
+    """Every file of the folder, by name."""
+    model, unit = arm.model, identifier(arm.name)
+    progress(f"deriving {arm.name}")
+    made = make_unit(Places.here(), model, catalogue.groups(model), name=unit, prefix=unit, shared="")
+    progress("computing reference values")
+    functions = [f for group in catalogue.groups(model) for f in catalogue.functions(model, group)]
+    context = {"unit": unit, "digest": made.record["digest"], "digits": DIGITS, "count": COUNT, "limit": LIMIT,
+               **_reference_values(arm, functions, made.kernels)}
+    files = {}
+    if "c" in targets:
+        files |= {name: text for name, text in made.files.items() if not name.endswith(".py")} | emit.shared_headers()
+        files[f"{unit}_float.c"] = emit.render("float.c.j2", context)
+        files[f"test_{unit}.c"] = emit.render("test.c.j2", context)
+    if "python" in targets:
+        files[f"{unit}.py"] = made.files[f"{unit}.py"]
+        files[f"test_{unit}.py"] = emit.render("test.py.j2", context)
+    files["README.md"] = emit.render("readme.md.j2", {
+        **context, "arm": arm.name, "joints": arm.n, "kinds": arm.kinds, "source": _one_line(arm.source), "targets": targets,
+        "parameters": [{"name": n, "value": v} for n, v in zip(model.parameter_names, model.parameters, strict=True)],
+    })
+    return files
+
+
+def _one_line(text: str) -> str:
+    """Free text from a file as one line of Markdown that is only text."""
+    words = " ".join("".join(c if c.isprintable() else " " for c in text).split())
+    return "".join(f"\\{c}" if c in "\\`*_{}[]<>|#!" else c for c in words) or "not given"
+
+
+def _reference_values(arm: Description, functions: list[Function], kernels: Sequence[Kernel]) -> dict[str, Any]:
+    """Inputs, and for each function its ports with their reference values as literals of C and Python."""
+    parameters = {"parameters": list(arm.model.parameters)} if arm.model.parameters else {}
+    samples = [{"q": q, **parameters} for q in _configurations(arm, functions)]
+    inputs = [{"name": name, "size": len(samples[0][name]), "rows": [_row(s[name]) for s in samples]} for name in samples[0]]
+    views = [_function(f, k, identifier(arm.name), samples) for f, k in zip(functions, kernels, strict=True)]
+    return {"inputs": inputs, "functions": views}
+
+
+def _configurations(arm: Description, functions: list[Function]) -> list[list[float]]:
+    """Configurations within the limits; of several random ones those with the largest H, where errors are rounding's."""
+    generator = random.Random(arm.model.digest)
+
+    def one() -> list[float]:
+        found = []
+        for joint in arm.joints:
+            lower, upper = joint.position or (-3.0, 3.0)
+            lower, upper = max(lower, -3.0), min(upper, 3.0)
+            found.append(round(generator.uniform(lower, upper) if lower < upper else lower, 6))
+        return found
+
+    candidates = [one() for _ in range(8 * COUNT)]
+    weights = [f.program for f in functions if f.gradient]
+    if not weights:
+        return candidates[:COUNT]
+
+    def least(q: list[float]) -> Any:
+        values = {"q": q, "parameters": list(arm.model.parameters)}
+        return min(manipulability(program, values, 15) for program in weights)
+
+    return sorted(candidates, key=least, reverse=True)[:COUNT]
+
+
+def _row(entries: Sequence[Any]) -> str:
+    return ", ".join(repr(float(entry)) for entry in entries)
+
+
+def _function(
+    function: Function, kernel: Kernel, unit: str, samples: Sequence[Mapping[str, Sequence[float]]]
+) -> dict[str, Any]:
+    values = [reference(function, sample, DIGITS) for sample in samples]
+    inputs = [emit.port_view(port) for port in kernel.inputs]
+    outputs = [{**emit.port_view(port), "rows": [_row(v[port.name]) for v in values]} for port in kernel.outputs]
+    symbol = f"{unit}_{function.name}"
+    names = [p["name"] for p in inputs]
+    arguments = [f"(char *){n}" for n in names] + [f"(char *){p['name']}_all" for p in outputs]
+    ports = inputs + outputs
+    steps = [f"sizeof(double) * {p['size']}" for p in ports]
+    for port in ports:
+        strides, width = [], 1
+        for extent in reversed(port["shape"]):
+            strides.append(f"sizeof(double) * {width}")
+            width *= extent
+        steps += reversed(strides)
+    return {
+        "name": function.name, "symbol": symbol, "summary": kernel.summary, "operations": kernel.operations, "inputs": inputs, "outputs": outputs,
+        "batch_args": ", ".join(arguments), "batch_steps": ", ".join(steps),
+        "call": ", ".join([f"{n}[i]" for n in names] + [f"{p['name']}_got" for p in outputs]),
+        "callf": ", ".join([f"{n}_f" for n in names] + [f"{p['name']}_gotf" for p in outputs]),
+    }
