@@ -102,6 +102,9 @@ def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
         leaf_source(kernel, listing.angles, index)[0] for index, v in enumerate(kernel.values) if v.op == "input"
     }
     count = len(kernel.inputs)
+    work = [*(["sine", "cosine"] if listing.angles else []), *(["kept"] if layout.slots else [])]
+    arrays = [*(("const ", p.name) for p in kernel.inputs), *(("const " if n != "kept" else "", n) for n in work),
+              *(("", p.name) for p in kernel.outputs)]
     accesses = _accesses(ports, 0, len(ports))
     return {
         "symbol": f"{prefix}_{kernel.name}",
@@ -114,7 +117,10 @@ def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
         "angles": len(listing.angles),
         "runs": runs(kernel, listing.angles),
         "slots": layout.slots,
-        "sections": layout.sections,
+        "section_parameters": ", ".join(f"{const}real *restrict {name}" for const, name in arrays),
+        "section_arguments": ", ".join(name for _, name in arrays),
+        "sections": [{"loads": s.loads, "terms": s.terms, "stores": s.stores,
+                      "unused": [name for _, name in arrays if not s.mentions(name)]} for s in layout.sections],
         "rows": sum(p.size for p in ports) + 2 * len(listing.angles) + layout.slots,
     }
 

@@ -14,9 +14,11 @@ from dataclasses import dataclass
 from chainrule.derive.lower import Kernel, Operand, Port, Value
 from chainrule.errors import GenerationError
 
-#: Operations in one printed expression, and statements in one section (one loop).
+#: Operations in one printed expression.
 MOST_NESTED = 6
+#: Statements in one section. A longer listing is cut into sections of CUT: compilers' time grows faster than length.
 MOST_STATEMENTS = 400
+CUT = 100
 
 _PRECEDENCE = {"add": 1, "sub": 1, "mul": 2, "div": 2, "inv": 2, "neg": 2}
 _SIGN = {"add": "+", "sub": "-", "mul": "*", "div": "/"}
@@ -52,6 +54,10 @@ class Section:
     loads: tuple[str, ...]
     terms: tuple[str, ...]
     stores: tuple[str, ...]
+
+    def mentions(self, array: str) -> bool:
+        """Whether the section reads or writes an array."""
+        return any(line.startswith(f"{array}[") for line in self.stores) or any(f" {array}[" in line for line in self.loads)
 
 
 @dataclass(frozen=True)
@@ -194,7 +200,7 @@ def lay_out(listing: Listing) -> Layout:
             reads = listing.reads(operand)
             last = max((position[r] for r in reads if r in position), default=0)
             entries.append((last, f"{port.name}[{row} * LANES + i] = {listing.text(operand)}", reads))
-    count = max(1, -(-len(statements) // MOST_STATEMENTS))
+    count = 1 if len(statements) <= MOST_STATEMENTS else -(-len(statements) // CUT)
     size = -(-len(statements) // count) if statements else 1
 
     def section_of(place: int) -> int:

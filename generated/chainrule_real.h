@@ -10,8 +10,10 @@
 /* A kernel of one type is inlined wherever it is called, so that the loop around it vectorises. */
 #if defined(__GNUC__)
 #define CR_INLINE static inline __attribute__((always_inline))
+#define CR_NOINLINE __attribute__((noinline))
 #else
 #define CR_INLINE static inline
+#define CR_NOINLINE
 #endif
 
 #ifdef CHAINRULE_FLOAT

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 67c124da03ab553aa806134edc37e4ae11fd621340197b04fd12e67f5cd84b43. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs bae8ffb8310393b1f444d14e0d7c0b210eb42aa4e80fb352220a5aba2f674c05. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "67c124da03ab553aa806134edc37e4ae11fd621340197b04fd12e67f5cd84b43";
+const char crx10ial_kinematics_digest[] = "bae8ffb8310393b1f444d14e0d7c0b210eb42aa4e80fb352220a5aba2f674c05";
 #endif
 
 #define LANES 64

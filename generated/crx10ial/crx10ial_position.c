@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 34f9c2bb6976639d2ff263875c79cc072f47858fdf753e2f7cdd62acfe5cc5ca. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs d66203c235d622865391863ce8f8ee0be06fbc28998b8168ac52b3fb17ff4bbf. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "34f9c2bb6976639d2ff263875c79cc072f47858fdf753e2f7cdd62acfe5cc5ca";
+const char crx10ial_position_digest[] = "d66203c235d622865391863ce8f8ee0be06fbc28998b8168ac52b3fb17ff4bbf";
 #endif
 
 #define LANES 64

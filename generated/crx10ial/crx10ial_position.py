@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 34f9c2bb6976639d2ff263875c79cc072f47858fdf753e2f7cdd62acfe5cc5ca.
+Made from templates/kernel.py.j2; inputs d66203c235d622865391863ce8f8ee0be06fbc28998b8168ac52b3fb17ff4bbf.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 26c586d8c34328c30dc5956a60a19f882a1ad3839fc291734728a1750d77617e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 75fcccf37facf70273ffd790fb0cf34845dc89a34c11866b493bf29b76a4596e. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "26c586d8c34328c30dc5956a60a19f882a1ad3839fc291734728a1750d77617e";
+const char gofa5_kinematics_digest[] = "75fcccf37facf70273ffd790fb0cf34845dc89a34c11866b493bf29b76a4596e";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 26c586d8c34328c30dc5956a60a19f882a1ad3839fc291734728a1750d77617e.
+Made from templates/kernel.py.j2; inputs 75fcccf37facf70273ffd790fb0cf34845dc89a34c11866b493bf29b76a4596e.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

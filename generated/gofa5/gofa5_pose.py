@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 377f9a901eacdeb23c8b235a5517c863b4b6aa141bc4087a8c6331c78a58592d.
+Made from templates/kernel.py.j2; inputs 9bb7f069349ed6461d6727b15770e9ea20e8a5dc92a7f742162fbfc09bac9f53.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs 377f9a901eacdeb23c8b235a5517c863b4b6aa141bc4087a8c6331c78a58592d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 9bb7f069349ed6461d6727b15770e9ea20e8a5dc92a7f742162fbfc09bac9f53. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 7151ef5fdd2cf05a5bd99ad526513a2a612b13b44e49c8b39c1d06224beac63d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 6040ca00b04749ca4f3185a27318dd33458c502c98ec5695db3525583c19e2f9. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "7151ef5fdd2cf05a5bd99ad526513a2a612b13b44e49c8b39c1d06224beac63d";
+const char iiwa14_kinematics_digest[] = "6040ca00b04749ca4f3185a27318dd33458c502c98ec5695db3525583c19e2f9";
 #endif
 
 #define LANES 64

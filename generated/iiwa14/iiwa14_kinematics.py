@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7151ef5fdd2cf05a5bd99ad526513a2a612b13b44e49c8b39c1d06224beac63d.
+Made from templates/kernel.py.j2; inputs 6040ca00b04749ca4f3185a27318dd33458c502c98ec5695db3525583c19e2f9.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3027dfc75e795408ed12b1fd6b32c3c0f43369e88cb997c241543ac9ec75e290.
+Made from templates/kernel.py.j2; inputs 180b002c30016c838dfed46b97720eca6f4f098b11053e70bbe56b38fc01e2db.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 7ca71459cdfcd23679eb94092caea9d552ae133b6463f6cde955ac0cc47b051e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 55f28229775a0f9acc256476b2337ba1de108c4ecaefc71d41471c02aad246f4. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "7ca71459cdfcd23679eb94092caea9d552ae133b6463f6cde955ac0cc47b051e";
+const char jaco2_kinematics_digest[] = "55f28229775a0f9acc256476b2337ba1de108c4ecaefc71d41471c02aad246f4";
 #endif
 
 #define LANES 64

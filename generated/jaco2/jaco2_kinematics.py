@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7ca71459cdfcd23679eb94092caea9d552ae133b6463f6cde955ac0cc47b051e.
+Made from templates/kernel.py.j2; inputs 55f28229775a0f9acc256476b2337ba1de108c4ecaefc71d41471c02aad246f4.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

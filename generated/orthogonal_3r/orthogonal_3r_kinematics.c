@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34";
+const char orthogonal_3r_kinematics_digest[] = "a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963";
 #endif
 
 #define LANES 64
@@ -43,7 +43,8 @@ void CHAINRULE_NAME(orthogonal_3r_position_batch)(ptrdiff_t count, char *const *
             chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_position_tile(q, parameters, position);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
         }
@@ -70,7 +71,8 @@ void CHAINRULE_NAME(orthogonal_3r_pose_batch)(ptrdiff_t count, char *const *args
             chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_pose_tile(q, parameters, pose);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6]);
         }
@@ -97,7 +99,8 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_position_batch)(ptrdiff_t count, char
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_jacobian_position_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
         }
@@ -124,7 +127,8 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_pose_batch)(ptrdiff_t count, char *co
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_jacobian_pose_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6]);
         }
@@ -153,7 +157,8 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_position_batch)(ptrdiff_t count, ch
             chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             orthogonal_3r_kinematics_position_tile(q, parameters, position, jacobian);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6]);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8]);
@@ -183,7 +188,8 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_pose_batch)(ptrdiff_t count, char *
             chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             orthogonal_3r_kinematics_pose_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7]);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9]);

@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34";
+const char orthogonal_3r_position_digest[] = "a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963";
 #endif
 
 #define LANES 64
@@ -43,7 +43,8 @@ void CHAINRULE_NAME(orthogonal_3r_manipulability_position_batch)(ptrdiff_t count
             chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_manipulability_position_tile(q, parameters, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
         }
@@ -76,7 +77,8 @@ void CHAINRULE_NAME(orthogonal_3r_manipulability_gradient_position_batch)(ptrdif
             chainrule_scatter(inverse_root_gradient, 1, 1, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[7], steps[7]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[7], steps[7]);
             orthogonal_3r_manipulability_gradient_position_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
             chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
@@ -106,7 +108,8 @@ void CHAINRULE_NAME(orthogonal_3r_minors_position_batch)(ptrdiff_t count, char *
             chainrule_scatter(minors, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[5], steps[5]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_minors_position_tile(q, parameters, minors);
             chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[5], steps[5]);
         }

@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.h: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 1ad81a920c2497e9f9d84e6172b1acba6b51693fee3fe0f1a70380e13286da34. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

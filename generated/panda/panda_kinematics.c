@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 3581f7ac490184f56130051c79851a90fa2fdfc899c453ede5db107ce5b1dfcb. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 0cd5001a19894cf7619358f3b147af1ec279f50e0b9ffe7e22a08ce1487b83eb. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "3581f7ac490184f56130051c79851a90fa2fdfc899c453ede5db107ce5b1dfcb";
+const char panda_kinematics_digest[] = "0cd5001a19894cf7619358f3b147af1ec279f50e0b9ffe7e22a08ce1487b83eb";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3581f7ac490184f56130051c79851a90fa2fdfc899c453ede5db107ce5b1dfcb.
+Made from templates/kernel.py.j2; inputs 0cd5001a19894cf7619358f3b147af1ec279f50e0b9ffe7e22a08ce1487b83eb.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

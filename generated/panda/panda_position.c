@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 7108c1d141f924d4d6b70409a08707081927edb3a85e410b0620dd7cca452906. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 6f94fcd7b534e4f2104360f5a099282789865a274fcf1da99d2159dd6c21657d. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "7108c1d141f924d4d6b70409a08707081927edb3a85e410b0620dd7cca452906";
+const char panda_position_digest[] = "6f94fcd7b534e4f2104360f5a099282789865a274fcf1da99d2159dd6c21657d";
 #endif
 
 #define LANES 64

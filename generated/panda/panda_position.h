@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 7108c1d141f924d4d6b70409a08707081927edb3a85e410b0620dd7cca452906. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 6f94fcd7b534e4f2104360f5a099282789865a274fcf1da99d2159dd6c21657d. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.c: kinematics of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_kinematics_digest[] = "24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c";
+const char planar_rrr_kinematics_digest[] = "3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5";
 #endif
 
 #define LANES 64
@@ -43,7 +43,8 @@ void CHAINRULE_NAME(planar_rrr_position_batch)(ptrdiff_t count, char *const *arg
             chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_position_tile(q, parameters, position);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5]);
         }
@@ -70,7 +71,8 @@ void CHAINRULE_NAME(planar_rrr_pose_batch)(ptrdiff_t count, char *const *args, c
             chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_pose_tile(q, parameters, pose);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
         }
@@ -97,7 +99,8 @@ void CHAINRULE_NAME(planar_rrr_jacobian_position_batch)(ptrdiff_t count, char *c
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_position_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
         }
@@ -124,7 +127,8 @@ void CHAINRULE_NAME(planar_rrr_jacobian_x_alpha_batch)(ptrdiff_t count, char *co
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_x_alpha_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
         }
@@ -151,7 +155,8 @@ void CHAINRULE_NAME(planar_rrr_jacobian_pose_batch)(ptrdiff_t count, char *const
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_pose_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
         }
@@ -180,7 +185,8 @@ void CHAINRULE_NAME(planar_rrr_kinematics_position_batch)(ptrdiff_t count, char 
             chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_position_tile(q, parameters, position, jacobian);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8]);
@@ -210,7 +216,8 @@ void CHAINRULE_NAME(planar_rrr_kinematics_x_alpha_batch)(ptrdiff_t count, char *
             chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_x_alpha_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7]);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9]);
@@ -240,7 +247,8 @@ void CHAINRULE_NAME(planar_rrr_kinematics_pose_batch)(ptrdiff_t count, char *con
             chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_pose_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7]);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9]);
@@ -272,7 +280,8 @@ void CHAINRULE_NAME(planar_rrr_survey_position_batch)(ptrdiff_t count, char *con
             chainrule_scatter(manipulability, 1, 1, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[5], steps[5]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
             planar_rrr_survey_position_tile(q, parameters, position, jacobian, manipulability);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[7], steps[7]);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9]);

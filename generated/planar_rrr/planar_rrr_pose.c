@@ -1,5 +1,5 @@
 /* planar_rrr_pose.c: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_pose_digest[] = "24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c";
+const char planar_rrr_pose_digest[] = "3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5";
 #endif
 
 #define LANES 64
@@ -43,7 +43,8 @@ void CHAINRULE_NAME(planar_rrr_manipulability_pose_batch)(ptrdiff_t count, char 
             chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_manipulability_pose_tile(q, parameters, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
         }
@@ -76,7 +77,8 @@ void CHAINRULE_NAME(planar_rrr_manipulability_gradient_pose_batch)(ptrdiff_t cou
             chainrule_scatter(inverse_root_gradient, 1, 1, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
             planar_rrr_manipulability_gradient_pose_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
             chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
@@ -106,7 +108,8 @@ void CHAINRULE_NAME(planar_rrr_minors_pose_batch)(ptrdiff_t count, char *const *
             chainrule_scatter(minors, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[5], steps[5]);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
-            chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_minors_pose_tile(q, parameters, minors);
             chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[5], steps[5]);
         }

@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.h: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 24dafb33019badaedf947e7d8e78abb82c5260602118052634fdd63e9eeb226c. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8930b70208793e16e262aa11c053178e9465fc9877b8dcbc8c1bdbf7cfbf7923.
+Made from templates/kernel.py.j2; inputs 6223320dd80dfbc2165b4b89ddef8189fa5b31da0b1ae96977c475894f45c9d5.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_position.c: manipulability (position) of puma560.
- * Made from templates/kernel.c.j2; inputs 2a95d28ae1d7b933c5984c39b8c051d076b05edfd75387162e5218de6853875d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs a1e2b95576d94e7684938c00216d1f48cb1544f4362937f75a5cd0747db8efe5. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "puma560_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_position_digest[] = "2a95d28ae1d7b933c5984c39b8c051d076b05edfd75387162e5218de6853875d";
+const char puma560_position_digest[] = "a1e2b95576d94e7684938c00216d1f48cb1544f4362937f75a5cd0747db8efe5";
 #endif
 
 #define LANES 64

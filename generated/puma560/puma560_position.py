@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2a95d28ae1d7b933c5984c39b8c051d076b05edfd75387162e5218de6853875d.
+Made from templates/kernel.py.j2; inputs a1e2b95576d94e7684938c00216d1f48cb1544f4362937f75a5cd0747db8efe5.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 567806860f7b3e8d25cd292ecdba8015ead65d5889f589dd1d041b55284cce60.
+Made from templates/kernel.py.j2; inputs b875457ce6539dbacf88836677b0ba7e598c49b3301a898d828df007a1f90845.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

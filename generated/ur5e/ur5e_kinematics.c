@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 8fd1ed64ddc3634c642aa87ed4656714dd3a06eb886cd7c2f3fc6d34a3cf21ff. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 501a8b6e8b38f5297e5a7542bd9150b701ea24a2cf10bd5a4bce5acc6c63b955. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "8fd1ed64ddc3634c642aa87ed4656714dd3a06eb886cd7c2f3fc6d34a3cf21ff";
+const char ur5e_kinematics_digest[] = "501a8b6e8b38f5297e5a7542bd9150b701ea24a2cf10bd5a4bce5acc6c63b955";
 #endif
 
 #define LANES 64

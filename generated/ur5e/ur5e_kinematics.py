@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8fd1ed64ddc3634c642aa87ed4656714dd3a06eb886cd7c2f3fc6d34a3cf21ff.
+Made from templates/kernel.py.j2; inputs 501a8b6e8b38f5297e5a7542bd9150b701ea24a2cf10bd5a4bce5acc6c63b955.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

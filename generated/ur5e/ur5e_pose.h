@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs b0a1ec93d47833cafe4452c2473bfaa068075e888be399720e64638cc7fc56b0. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 322b4d16909f9675888f15037dd9038b882db2af5182fdfe30fe038aa62ab8c2. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

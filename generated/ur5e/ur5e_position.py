@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b0a1ec93d47833cafe4452c2473bfaa068075e888be399720e64638cc7fc56b0.
+Made from templates/kernel.py.j2; inputs 322b4d16909f9675888f15037dd9038b882db2af5182fdfe30fe038aa62ab8c2.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

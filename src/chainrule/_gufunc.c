@@ -1,7 +1,8 @@
 /* NumPy universal functions around generated kernels, given the kernels' addresses.
  *
  * make(name, doc, signature, nin, nout, batch, batchf, owner) -> numpy.ufunc
- * bind(scalar, arrays)                                        -> callable evaluating one configuration in place
+ * call(batch, batchf, nin, shapes, owner, general)            -> callable with a short way for one configuration
+ * bind(batch, arrays, owner)                                  -> callable evaluating one configuration in place
  * cpu()                                                       -> best instruction set here: "avx512", "avx2" or "plain"
  *
  * The kernels know nothing of Python; `owner` is the object that keeps their library loaded. */
@@ -12,6 +13,7 @@
 #include <numpy/ndarrayobject.h>
 #include <numpy/ufuncobject.h>
 
+#include <fenv.h>
 #include <stddef.h>
 
 #define MOST_ARGS 16
@@ -36,6 +38,10 @@ static const char SPEC_NAME[] = "chainrule.gufunc";
 static void loop(char **args, npy_intp const *dimensions, npy_intp const *steps, void *data)
 {
     ((const Loop *)data)->kernel((ptrdiff_t)dimensions[0], args, (const ptrdiff_t *)steps);
+    /* Kernels compute both sides of a choice, and nan and infinity are answers: NumPy need not warn of either. */
+    if (fetestexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW | FE_UNDERFLOW)) {
+        feclearexcept(FE_ALL_EXCEPT);
+    }
 }
 
 static void release(PyObject *capsule)
@@ -182,6 +188,179 @@ static PyObject *bind(PyObject *self, PyObject *arguments)
     return (PyObject *)bound;
 }
 
+/* A call that takes the short way where every input is one configuration of exactly the kernel's shape and type, and
+ * otherwise leaves everything to `general` (the ufunc behind its checks). NumPy's own machinery costs microseconds. */
+typedef struct {
+    PyObject_HEAD
+    vectorcallfunc call;
+    Batch kernels[2]; /* double, float */
+    int nin, nargs;
+    int axes[MOST_ARGS];
+    npy_intp shapes[MOST_ARGS][2];
+    PyObject *general;
+    PyObject *owner;
+} Call;
+
+/* Whether an object is an array of this type and exactly this shape that the kernel can use as it lies. */
+static int fits(PyObject *item, int type, int axes, const npy_intp *shape, int writeable)
+{
+    if (!PyArray_CheckExact(item)) {
+        return 0;
+    }
+    PyArrayObject *array = (PyArrayObject *)item;
+    if (PyArray_TYPE(array) != type || PyArray_NDIM(array) != axes
+        || !(writeable ? PyArray_ISBEHAVED(array) : PyArray_ISBEHAVED_RO(array))) {
+        return 0;
+    }
+    for (int k = 0; k < axes; ++k) {
+        if (PyArray_DIM(array, k) != shape[k]) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static PyObject *call_call(PyObject *self, PyObject *const *args, size_t nargsf, PyObject *names)
+{
+    Call *const call = (Call *)self;
+    const Py_ssize_t given = PyVectorcall_NARGS(nargsf);
+    if (names != NULL || (given != call->nin && given != call->nargs) || !PyArray_CheckExact(args[0])) {
+        return PyObject_Vectorcall(call->general, args, nargsf, names);
+    }
+    const int type = PyArray_TYPE((PyArrayObject *)args[0]);
+    if (type != NPY_DOUBLE && type != NPY_FLOAT) {
+        return PyObject_Vectorcall(call->general, args, nargsf, names);
+    }
+    PyObject *arrays[MOST_ARGS];
+    char *data[MOST_ARGS];
+    ptrdiff_t steps[MOST_ARGS * 3] = {0};
+    for (int i = 0; i < (int)given; ++i) {
+        if (!fits(args[i], type, call->axes[i], call->shapes[i], i >= call->nin)) {
+            return PyObject_Vectorcall(call->general, args, nargsf, names);
+        }
+        arrays[i] = Py_NewRef(args[i]);
+    }
+    for (int i = (int)given; i < call->nargs; ++i) {
+        arrays[i] = PyArray_SimpleNew(call->axes[i], call->shapes[i], type);
+        if (arrays[i] == NULL) {
+            while (i-- > 0) {
+                Py_DECREF(arrays[i]);
+            }
+            return NULL;
+        }
+    }
+    int step = call->nargs;
+    for (int i = 0; i < call->nargs; ++i) {
+        PyArrayObject *array = (PyArrayObject *)arrays[i];
+        data[i] = PyArray_BYTES(array);
+        for (int k = 0; k < call->axes[i]; ++k) {
+            steps[step++] = (ptrdiff_t)PyArray_STRIDE(array, k);
+        }
+    }
+    call->kernels[type == NPY_FLOAT](1, data, steps);
+    for (int i = 0; i < call->nin; ++i) {
+        Py_DECREF(arrays[i]);
+    }
+    const int nout = call->nargs - call->nin;
+    /* As a ufunc does: new results without axes are scalars, given ones are returned as they are. */
+    for (int i = call->nin; i < call->nargs && given == call->nin; ++i) {
+        arrays[i] = PyArray_Return((PyArrayObject *)arrays[i]);
+    }
+    if (nout == 1) {
+        return arrays[call->nin];
+    }
+    PyObject *result = PyTuple_New(nout);
+    for (int i = 0; i < nout; ++i) {
+        if (result == NULL) {
+            Py_XDECREF(arrays[call->nin + i]);
+        } else {
+            PyTuple_SET_ITEM(result, i, arrays[call->nin + i]);
+        }
+    }
+    return result;
+}
+
+static void call_free(PyObject *self)
+{
+    Call *call = (Call *)self;
+    PyObject_GC_UnTrack(self);
+    Py_XDECREF(call->general);
+    Py_XDECREF(call->owner);
+    Py_TYPE(self)->tp_free(self);
+}
+
+static int call_traverse(PyObject *self, visitproc visit, void *arg)
+{
+    Py_VISIT(((Call *)self)->general);
+    Py_VISIT(((Call *)self)->owner);
+    return 0;
+}
+
+static int call_clear(PyObject *self)
+{
+    Py_CLEAR(((Call *)self)->general);
+    Py_CLEAR(((Call *)self)->owner);
+    return 0;
+}
+
+static PyTypeObject CallType = {
+    PyVarObject_HEAD_INIT(NULL, 0)
+    .tp_name = "chainrule._gufunc.Call",
+    .tp_doc = "Evaluates a kernel: one configuration directly, anything else through NumPy.",
+    .tp_basicsize = sizeof(Call),
+    .tp_flags = Py_TPFLAGS_DEFAULT | Py_TPFLAGS_HAVE_VECTORCALL | Py_TPFLAGS_HAVE_GC,
+    .tp_vectorcall_offset = offsetof(Call, call),
+    .tp_call = PyVectorcall_Call,
+    .tp_traverse = call_traverse,
+    .tp_clear = call_clear,
+    .tp_dealloc = call_free,
+};
+
+/* shapes: a tuple with one tuple of at most two extents for each argument. */
+static PyObject *make_call(PyObject *self, PyObject *arguments)
+{
+    (void)self;
+    unsigned long long batch, batchf;
+    int nin;
+    PyObject *shapes, *owner, *general;
+    if (!PyArg_ParseTuple(arguments, "KKiO!OO", &batch, &batchf, &nin, &PyTuple_Type, &shapes, &owner, &general)) {
+        return NULL;
+    }
+    const Py_ssize_t count = PyTuple_GET_SIZE(shapes);
+    if (batch == 0 || batchf == 0 || nin < 1 || count <= nin || count > MOST_ARGS) {
+        PyErr_SetString(PyExc_ValueError, "a kernel has two addresses and 2 to 16 arguments");
+        return NULL;
+    }
+    Call *call = (Call *)CallType.tp_alloc(&CallType, 0);
+    if (call == NULL) {
+        return NULL;
+    }
+    call->call = call_call;
+    call->kernels[0] = (Batch)(uintptr_t)batch;
+    call->kernels[1] = (Batch)(uintptr_t)batchf;
+    call->nin = nin;
+    call->nargs = (int)count;
+    call->general = Py_NewRef(general);
+    call->owner = Py_NewRef(owner);
+    for (Py_ssize_t i = 0; i < count; ++i) {
+        PyObject *shape = PyTuple_GET_ITEM(shapes, i);
+        if (!PyTuple_Check(shape) || PyTuple_GET_SIZE(shape) > 2) {
+            Py_DECREF(call);
+            PyErr_SetString(PyExc_TypeError, "a shape is a tuple of at most two extents");
+            return NULL;
+        }
+        call->axes[i] = (int)PyTuple_GET_SIZE(shape);
+        for (Py_ssize_t k = 0; k < PyTuple_GET_SIZE(shape); ++k) {
+            call->shapes[i][k] = (npy_intp)PyLong_AsSsize_t(PyTuple_GET_ITEM(shape, k));
+        }
+    }
+    if (PyErr_Occurred()) {
+        Py_DECREF(call);
+        return NULL;
+    }
+    return (PyObject *)call;
+}
+
 static PyObject *cpu(PyObject *self, PyObject *unused)
 {
     (void)self;
@@ -202,6 +381,7 @@ static PyObject *cpu(PyObject *self, PyObject *unused)
 
 static PyMethodDef methods[] = {
     {"make", make, METH_VARARGS, "A NumPy universal function of a kernel's two batch entries."},
+    {"call", make_call, METH_VARARGS, "A call of a kernel with a short way for one configuration."},
     {"bind", bind, METH_VARARGS, "One configuration of a kernel on fixed arrays."},
     {"cpu", cpu, METH_NOARGS, "The best instruction set of this processor: avx512, avx2 or plain."},
     {NULL, NULL, 0, NULL},
@@ -216,7 +396,7 @@ PyMODINIT_FUNC PyInit__gufunc(void)
 {
     import_array();
     import_umath();
-    if (PyType_Ready(&BoundType) < 0) {
+    if (PyType_Ready(&BoundType) < 0 || PyType_Ready(&CallType) < 0) {
         return NULL;
     }
     return PyModule_Create(&module);

@@ -49,18 +49,34 @@ class Evaluator:
     function: Callable[..., Any] = field(repr=False)
     _addresses: tuple[int, int] = field(default=(0, 0), repr=False)
     _owner: Any = field(default=None, repr=False)
+    _short: Callable[..., Any] = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        short: Callable[..., Any] = self._general
+        if self.compiled:
+            from chainrule import _gufunc
+
+            shapes = tuple(shape for _, shape in (*self.inputs, *self.outputs))
+            short = _gufunc.call(*self._addresses, len(self.inputs), shapes, self._owner, self._general)
+        object.__setattr__(self, "_short", short)
 
     def __call__(self, *arrays: Any, out: Any = None) -> Any:
-        """Evaluate; leading axes broadcast.
+        """Evaluate; leading axes broadcast. ``out`` is an array, or a tuple with one (or None) for each output.
 
         Raises:
             InputError: a wrong shape, or numbers that are not real.
         """
+        return self._short(*arrays) if out is None else self._general(*arrays, out=out)
+
+    def _general(self, *arrays: Any, out: Any = None) -> Any:
+        """Through NumPy's own machinery, with every refusal in words."""
         try:
             ready = [_real(array) for array in arrays]
         except ValueError:
             raise InputError(f"{self.name}: a ragged nested sequence was given; arrays of real numbers are accepted") from None
         try:
+            if len(ready) != len(self.inputs):
+                raise ValueError("wrong number of inputs")
             return self.function(*ready) if out is None else self.function(*ready, out=out)
         except (TypeError, ValueError) as error:
             raise self._refusal(ready, out, error) from None

@@ -5,6 +5,7 @@ H = sqrt(det(J J^T)) (Yoshikawa) of the arm's task Jacobian J; evaluated by the 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
@@ -17,6 +18,7 @@ from chainrule.errors import InputError
 from chainrule.search import Found, best_of, box, climb, maximise, samples
 
 Array = NDArray[Any]
+Slope = Callable[[Array], tuple[float, Array]]
 
 #: Linear rows (velocities in m/s) of each task; the others are angular (rad/s).
 _LINEAR_ROWS = {"planar": {"position": 2, "x_alpha": 1, "pose": 2}, "spatial": {"position": 3, "pose": 3}}
@@ -100,10 +102,7 @@ def max_manipulability(arm: Arm, task: str | None = None) -> Found:
     """
     task = checked_task(arm, task)
 
-    def slope(q: Array) -> tuple[float, Array]:
-        return float(arm.manipulability(q, task=task)), arm.manipulability_gradient(q, task=task)
-
-    return maximise(arm, lambda q: arm.manipulability(q, task=task), slope, moving=depends_on(arm, task))
+    return maximise(arm, lambda q: arm.manipulability(q, task=task), _upward(arm, task), moving=depends_on(arm, task))
 
 
 def min_manipulability(arm: Arm, task: str | None = None) -> Found:
@@ -113,13 +112,25 @@ def min_manipulability(arm: Arm, task: str | None = None) -> Found:
         InputError: a task with more rows than joints.
     """
     task = checked_task(arm, task)
+    found = maximise(arm, lambda q: -arm.manipulability(q, task=task), _downward(arm, task), moving=depends_on(arm, task))
+    return Found(float(arm.manipulability(found.q, task=task)), found.q, found.others)
 
+
+def _upward(arm: Arm, task: str) -> Slope:
+    """H and its gradient."""
+    def slope(q: Array) -> tuple[float, Array]:
+        return float(arm.manipulability(q, task=task)), arm.manipulability_gradient(q, task=task)
+
+    return slope
+
+
+def _downward(arm: Arm, task: str) -> Slope:
+    """-H^2 and its gradient: smooth where H is zero."""
     def slope(q: Array) -> tuple[float, Array]:
         height = float(arm.manipulability(q, task=task))
         return -(height * height), -2.0 * height * arm.manipulability_gradient(q, task=task)
 
-    found = maximise(arm, lambda q: -arm.manipulability(q, task=task), slope, moving=depends_on(arm, task))
-    return Found(float(arm.manipulability(found.q, task=task)), found.q, found.others)
+    return slope
 
 
 @dataclass(frozen=True)
@@ -132,7 +143,8 @@ class ManipulabilityMap:
         first, second: (k,) values of the two joints, rad or m.
         H: (k, k), ``H[i, j]`` at ``first[i]``, ``second[j]``.
         q: (n,) the posture: the others are held at its entries.
-        maximum: the largest H of this map, refined off the grid, its configurations.
+        maximum: the largest H of this map, refined off the grid, and where.
+        minimum: the smallest H of this map, refined likewise by descent on H^2, and where.
         unit: the unit of H.
     """
 
@@ -143,12 +155,14 @@ class ManipulabilityMap:
     H: Array
     q: Array
     maximum: Found
+    minimum: Found
     unit: Unit
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and lists, without the grid."""
         return {"task": self.task, "joints": [j + 1 for j in self.joints], "q": self.q.tolist(),
-                "unit": self.unit.text, "maximum": {"H": self.maximum.value, "q": self.maximum.q.tolist()}}
+                "unit": self.unit.text, "maximum": {"H": self.maximum.value, "q": self.maximum.q.tolist()},
+                "minimum": {"H": self.minimum.value, "q": self.minimum.q.tolist()}}
 
 
 def manipulability_map(arm: Arm, task: str | None = None, *, joints: tuple[int, int] | None = None,
@@ -175,14 +189,13 @@ def manipulability_map(arm: Arm, task: str | None = None, *, joints: tuple[int, 
     first, second, grid = _grid(arm, pair, posture, size)
     height = arm.manipulability(grid, task=task)
 
-    def slope(q: Array) -> tuple[float, Array]:
-        return float(arm.manipulability(q, task=task)), arm.manipulability_gradient(q, task=task)
-
-    order = np.argsort(-height, axis=None, kind="stable")[:: max(1, size // 40)][:24]
-    starts = [*grid.reshape(-1, arm.n)[order], *_local_maxima(height, grid)]
-    ranges = box(arm)
-    best = best_of(arm, [climb(slope, start, pair, ranges) for start in starts], slope, pair)
-    return ManipulabilityMap(task, pair, first, second, height, posture, best, unit(arm, task))
+    ranges, flat = box(arm), grid.reshape(-1, arm.n)
+    upward, downward = _upward(arm, task), _downward(arm, task)
+    high = [climb(upward, start, pair, ranges) for start in _peaks(height, grid)]
+    low = [climb(downward, flat[k], pair, ranges) for k in np.argsort(height, axis=None, kind="stable")[:4]]
+    best, least = best_of(arm, high, upward, pair), best_of(arm, low, downward, pair)
+    least = Found(float(arm.manipulability(least.q, task=task)), least.q, least.others)
+    return ManipulabilityMap(task, pair, first, second, height, posture, best, least, unit(arm, task))
 
 
 def _grid(arm: Arm, pair: tuple[int, int], posture: Array, size: int) -> tuple[Array, Array, Array]:
@@ -194,12 +207,12 @@ def _grid(arm: Arm, pair: tuple[int, int], posture: Array, size: int) -> tuple[A
     return first, second, grid
 
 
-def _local_maxima(height: Array, grid: Array) -> list[Array]:
+def _peaks(height: Array, grid: Array) -> list[Array]:
     """Grid points not lower than their neighbours, the highest twelve."""
     padded = np.pad(height, 1, constant_values=-np.inf)
     rows, columns = height.shape
     around = [padded[1 + i:1 + i + rows, 1 + j:1 + j + columns] for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
-    peaks = np.argwhere((height >= np.max(around, axis=0)) & (height > 0))
+    peaks = np.argwhere(height >= np.max(around, axis=0))  # never empty: the largest of all is among them
     peaks = peaks[np.argsort(-height[tuple(peaks.T)], kind="stable")[:12]]
     return [grid[tuple(peak)] for peak in peaks]
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from chainrule.arm import Arm
 
 Array = NDArray[Any]
+Slope = Callable[[Array], tuple[float, Array]]
 
 #: Range searched for a prismatic joint without limits, in m.
 FREE_TRAVEL = 1.0
@@ -67,7 +68,7 @@ def samples(arm: Arm, count: int = SAMPLES, seed: int = 0) -> Array:
     return np.random.default_rng(seed).uniform(ranges[:, 0], ranges[:, 1], (count, arm.n))
 
 
-def maximise(arm: Arm, values: Callable[[Array], Array], slope: Callable[[Array], tuple[float, Array]], *,
+def maximise(arm: Arm, values: Callable[[Array], Array], slope: Slope, *,
              moving: Sequence[int] | None = None, at: Array | None = None, count: int = SAMPLES,
              starts: int = STARTS) -> Found:
     """The largest value met inside :func:`box`: ``count`` samples, the best ``starts`` of them refined (L-BFGS-B).
@@ -90,7 +91,7 @@ def maximise(arm: Arm, values: Callable[[Array], Array], slope: Callable[[Array]
     return best_of(arm, [climb(slope, start, free, ranges) for start in best], slope, free)
 
 
-def climb(slope: Callable[[Array], tuple[float, Array]], start: Array, free: Sequence[int], ranges: Array) -> Array:
+def climb(slope: Slope, start: Array, free: Sequence[int], ranges: Array) -> Array:
     """The local maximum reached from ``start`` (n,) by moving the joints ``free`` inside ``ranges`` (n, 2)."""
     from scipy.optimize import minimize
 
@@ -107,7 +108,7 @@ def climb(slope: Callable[[Array], tuple[float, Array]], start: Array, free: Seq
     return q
 
 
-def best_of(arm: Arm, candidates: Sequence[Array], slope: Callable[[Array], tuple[float, Array]],
+def best_of(arm: Arm, candidates: Sequence[Array], slope: Slope,
             free: Sequence[int]) -> Found:
     """The best of several configurations; among equals the one whose moving joints come last in order."""
     turning = turns_freely(arm)

@@ -1,0 +1,115 @@
+"""The papers chainrule rests on, recomputed: each quantity a paper prints, beside ours, with the difference explained.
+
+To add a paper: write a module here with a function ``rows()``, and name it in :data:`PAPERS`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
+from typing import Any, Literal
+
+from chainrule.errors import InputError, shown
+
+Verdict = Literal["agrees", "proved", "refined", "special case", "corrected", "DISAGREES"]
+
+#: What each verdict means; only the last is a failure.
+VERDICTS: dict[Verdict, str] = {
+    "agrees": "the same to the digits the paper prints",
+    "proved": "SymPy shows that the two are equal",
+    "refined": "the paper's value to its own accuracy, ours to more digits",
+    "special case": "right where the paper uses it, not in general",
+    "corrected": "the paper is wrong here; the note says why",
+    "DISAGREES": "a difference that nothing explains",
+}
+
+
+@dataclass(frozen=True)
+class Row:
+    """One quantity.
+
+    Attributes:
+        where: where it stands in the paper.
+        quantity: what it is.
+        paper: the paper's value, as printed.
+        ours: our value.
+        difference: ours minus the paper's, where both are numbers.
+        verdict: one of :data:`VERDICTS`.
+        how: the call that gives our value.
+        note: what explains a difference.
+    """
+
+    where: str
+    quantity: str
+    paper: str
+    ours: str
+    difference: float | None
+    verdict: Verdict
+    how: str
+    note: str = ""
+
+    @property
+    def good(self) -> bool:
+        """Whether nothing is left unexplained."""
+        return self.verdict != "DISAGREES"
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        return {"where": self.where, "quantity": self.quantity, "paper": self.paper, "ours": self.ours,
+                "difference": self.difference, "verdict": self.verdict, "how": self.how, "note": self.note}
+
+
+@dataclass(frozen=True)
+class Paper:
+    """A paper: its key, how it is cited, what of it is recomputed, and the module that does it."""
+
+    key: str
+    citation: str
+    scope: str
+    module: str
+
+
+#: The papers, by key.
+PAPERS: dict[str, Paper] = {paper.key: paper for paper in (
+    Paper("deluca", "A. De Luca, Robotics I, written exam of 11 January 2012, with solutions",
+          "exercise 1 and the bonus exercise", "chainrule.papers.deluca"),
+)}
+
+
+def reproduce(key: str, progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
+    """Recompute a paper's quantities.
+
+    Args:
+        key: one of :data:`PAPERS`.
+        progress: called with one line for each step.
+
+    Raises:
+        InputError: an unknown paper; the message lists the known ones.
+
+    Example:
+        >>> reproduce("deluca")[0].verdict
+        'agrees'
+    """
+    if key not in PAPERS:
+        raise InputError(f"there is no paper {shown(key)}; {', '.join(PAPERS)} can be reproduced")
+    found: tuple[Row, ...] = import_module(PAPERS[key].module).rows(progress)
+    return found
+
+
+def compared(where: str, quantity: str, printed: str, value: float, how: str, note: str = "", unit: str = "") -> Row:
+    """A number against the paper's, which it must equal to the last digit printed.
+
+    >>> compared("p. 1", "radius", "0.25", 0.2500000001, "ring([1, 0.5, 0.25])").verdict
+    'agrees'
+    """
+    decimals = len(printed.partition(".")[2])
+    difference = value - float(printed)
+    verdict: Verdict = "agrees" if abs(difference) <= 0.5 * 10.0**-decimals * (1.0 + 1e-9) else "DISAGREES"
+    return Row(where, quantity, f"{printed}{unit}", f"{value:.10g}{unit}", difference, verdict, how, note)
+
+
+def shown_equal(where: str, quantity: str, printed: str, equal: bool, how: str, note: str = "") -> Row:
+    """A formula or set against the paper's, equal or not by proof."""
+    return Row(where, quantity, printed, "the same" if equal else "not the same", None,
+               "proved" if equal else "DISAGREES", how, note)

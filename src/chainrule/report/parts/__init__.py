@@ -1,0 +1,1 @@
+"""The sections, one module each; every module has a ``SECTION``."""
