@@ -77,7 +77,12 @@ def combine(coefficients: tuple[Expression, ...], vectors: tuple[Vector, ...]) -
     return [sum((c * v[i] for c, v in zip(coefficients, vectors, strict=True)), sp.Integer(0)) for i in range(3)]
 
 
-IDENTITY = Frame(*([sp.Integer(i == j) for i in range(3)] for j in range(3)), [sp.Integer(0)] * 3)
+IDENTITY = Frame(
+    [sp.Integer(1), sp.Integer(0), sp.Integer(0)],
+    [sp.Integer(0), sp.Integer(1), sp.Integer(0)],
+    [sp.Integer(0), sp.Integer(0), sp.Integer(1)],
+    [sp.Integer(0), sp.Integer(0), sp.Integer(0)],
+)
 
 
 def sine_cosine(steps: Steps, arm: Chain, i: int) -> tuple[Expression, Expression]:
@@ -97,8 +102,12 @@ def through(steps: Steps, frame: Frame, link: Link, name: str) -> Frame:
 def moved(steps: Steps, arm: Chain, frame: Frame, i: int, sign: int = 1) -> Frame:
     """The frame after the motion of joint i (before it, for sign -1)."""
     if arm.kinds[i] == "P":
-        return Frame(frame.x, frame.y, frame.z,
-                     steps.vector(f"p{i + 1}_", [p + sign * arm.q[i] * z for p, z in zip(frame.p, frame.z, strict=True)]))
+        return Frame(
+            frame.x,
+            frame.y,
+            frame.z,
+            steps.vector(f"p{i + 1}_", [p + sign * arm.q[i] * z for p, z in zip(frame.p, frame.z, strict=True)]),
+        )
     s, c = sine_cosine(steps, arm, i)
     s = sign * s
     x = steps.vector(f"x{i + 1}_", [c * a + s * b for a, b in zip(frame.x, frame.y, strict=True)])
@@ -191,16 +200,20 @@ def jacobian_output(steps: Steps, arm: Chain, frames: Frames, task: str) -> Outp
 
 def place_output(frames: Frames, task: str) -> Output:
     """Output ``pose`` (4, 4) or ``position`` (3,)."""
-    return Output("pose", (4, 4), pose_entries(frames.tip)) if task == "pose" else Output(
-        "position", (3,), tuple(frames.tip.p))
+    return (
+        Output("pose", (4, 4), pose_entries(frames.tip))
+        if task == "pose"
+        else Output("position", (3,), tuple(frames.tip.p))
+    )
 
 
 def placement(arm: Chain, task: str) -> Program:
     """Pose or position of the tip in the base frame."""
     steps = Steps()
     output = place_output(frames_from_base(steps, arm), task)
-    return Program(output.name, f"{output.name} of the tip, in the base frame", arm.inputs, tuple(steps.steps),
-                   (output,))
+    return Program(
+        output.name, f"{output.name} of the tip, in the base frame", arm.inputs, tuple(steps.steps), (output,)
+    )
 
 
 def jacobian(arm: Chain, task: str) -> Program:
@@ -208,8 +221,9 @@ def jacobian(arm: Chain, task: str) -> Program:
     steps = Steps()
     frames = frames_from_base(steps, arm)
     output = jacobian_output(steps, arm, frames, task)
-    return Program(f"jacobian_{task}", f"Jacobian of the {task}, in the base frame", arm.inputs,
-                   tuple(steps.steps), (output,))
+    return Program(
+        f"jacobian_{task}", f"Jacobian of the {task}, in the base frame", arm.inputs, tuple(steps.steps), (output,)
+    )
 
 
 def kinematics(arm: Chain, task: str) -> Program:
@@ -218,8 +232,13 @@ def kinematics(arm: Chain, task: str) -> Program:
     frames = frames_from_base(steps, arm)
     place = place_output(frames, task)
     output = jacobian_output(steps, arm, frames, task)
-    return Program(f"kinematics_{task}", f"{place.name} and its Jacobian, in the base frame", arm.inputs,
-                   tuple(steps.steps), (place, output))
+    return Program(
+        f"kinematics_{task}",
+        f"{place.name} and its Jacobian, in the base frame",
+        arm.inputs,
+        tuple(steps.steps),
+        (place, output),
+    )
 
 
 def minor_matrix(steps: Steps, arm: Chain, task: str) -> list[list[Expression]]:
@@ -238,7 +257,9 @@ def _matrix_from(steps: Steps, arm: Chain, task: str, k: int) -> list[list[Expre
     if task == "position":
         columns = linear_columns(steps, arm, frames)
     else:
-        moments = [f.z if kind == "P" else steps.vector(f"v{i}", cross(f.p, f.z))
-                   for i, (kind, f) in enumerate(zip(arm.kinds, frames.joints, strict=True), 1)]
+        moments = [
+            f.z if kind == "P" else steps.vector(f"v{i}", cross(f.p, f.z))
+            for i, (kind, f) in enumerate(zip(arm.kinds, frames.joints, strict=True), 1)
+        ]
         columns = [m + a for m, a in zip(moments, angular_columns(arm, frames), strict=True)]
     return [[column[row] for column in columns] for row in range(len(columns[0]))]

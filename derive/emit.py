@@ -45,11 +45,15 @@ def render(template: str, context: Mapping[str, Any]) -> str:
 
 def shared_headers() -> dict[str, str]:
     """The headers that do not depend on the arm."""
-    return {name: render(template, {"sincos": sincos.context() if "sincos" in name else {}})
-            for name, template in SHARED.items()}
+    return {
+        name: render(template, {"sincos": sincos.context() if "sincos" in name else {}})
+        for name, template in SHARED.items()
+    }
 
 
-def unit(name: str, prefix: str, title: str, kernels: Sequence[Kernel], digest: str, shared: str = "../") -> dict[str, str]:
+def unit(
+    name: str, prefix: str, title: str, kernels: Sequence[Kernel], digest: str, shared: str = "../"
+) -> dict[str, str]:
     """The files of one unit, by name: header, C, its included terms, NumPy.
 
     Args:
@@ -63,8 +67,14 @@ def unit(name: str, prefix: str, title: str, kernels: Sequence[Kernel], digest: 
     views = [_c_view(prefix, kernel) for kernel in kernels]
     width = max(v["rows"] for v in views)
     tile = next((t for t in TILES if width * t * 8 <= CACHE_BYTES), TILES[-1])
-    common = {"unit": name, "title": title, "digest": digest, "tile": tile, "shared": shared,
-              "guard": f"CHAINRULE_{name.upper()}_H"}
+    common = {
+        "unit": name,
+        "title": title,
+        "digest": digest,
+        "tile": tile,
+        "shared": shared,
+        "guard": f"CHAINRULE_{name.upper()}_H",
+    }
     files = {
         f"{name}.{suffix}": render(f"kernel.{suffix}.j2", {"functions": views, **common})
         for suffix in ("h", "c", "inc")
@@ -76,8 +86,12 @@ def unit(name: str, prefix: str, title: str, kernels: Sequence[Kernel], digest: 
 
 def port_view(port: Port) -> dict[str, Any]:
     """An array as the templates see it."""
-    return {"name": port.name, "size": port.size, "shape": port.shape,
-            "dims": "".join(f"[{extent}]" for extent in port.shape) or " (one number)"}
+    return {
+        "name": port.name,
+        "size": port.size,
+        "shape": port.shape,
+        "dims": "".join(f"[{extent}]" for extent in port.shape) or " (one number)",
+    }
 
 
 def _accesses(ports: Sequence[Port], first_place: int, first_step: int) -> list[dict[str, Any]]:
@@ -103,8 +117,11 @@ def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
     }
     count = len(kernel.inputs)
     work = [*(["sine", "cosine"] if listing.angles else []), *(["kept"] if layout.slots else [])]
-    arrays = [*(("const ", p.name) for p in kernel.inputs), *(("const " if n != "kept" else "", n) for n in work),
-              *(("", p.name) for p in kernel.outputs)]
+    arrays = [
+        *(("const ", p.name) for p in kernel.inputs),
+        *(("const " if n != "kept" else "", n) for n in work),
+        *(("", p.name) for p in kernel.outputs),
+    ]
     accesses = _accesses(ports, 0, len(ports))
     return {
         "symbol": f"{prefix}_{kernel.name}",
@@ -119,8 +136,15 @@ def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
         "slots": layout.slots,
         "section_parameters": ", ".join(f"{const}real *restrict {name}" for const, name in arrays),
         "section_arguments": ", ".join(name for _, name in arrays),
-        "sections": [{"loads": s.loads, "terms": s.terms, "stores": s.stores,
-                      "unused": [name for _, name in arrays if not s.mentions(name)]} for s in layout.sections],
+        "sections": [
+            {
+                "loads": s.loads,
+                "terms": s.terms,
+                "stores": s.stores,
+                "unused": [name for _, name in arrays if not s.mentions(name)],
+            }
+            for s in layout.sections
+        ],
         "rows": sum(p.size for p in ports) + 2 * len(listing.angles) + layout.slots,
     }
 
@@ -133,9 +157,11 @@ def _numpy_view(kernel: Kernel) -> dict[str, Any]:
             loads.append(f"{listing.names[index]} = {kernel.inputs[int(value.args[0])].name}[..., {value.args[1]}]")
         elif value.op in ("sin", "cos"):
             loads.append(f"{listing.names[index]} = np.{value.op}({listing.names[int(value.args[0])]})")
-    stores = [f"{port.name}[..., {row}] = {listing.text(operand)}"
-              for port, results in zip(kernel.outputs, kernel.results, strict=True)
-              for row, operand in enumerate(results)]
+    stores = [
+        f"{port.name}[..., {row}] = {listing.text(operand)}"
+        for port, results in zip(kernel.outputs, kernel.results, strict=True)
+        for row, operand in enumerate(results)
+    ]
     return {
         "name": kernel.name,
         "summary": kernel.summary,

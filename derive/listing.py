@@ -32,8 +32,10 @@ class Language:
     call: dict[str, str]  # sqrt, abs, where (with {0}, {1})
 
 
-C = Language(lambda x: f"CR_C({x!r})", {"sqrt": "CR_SQRT({0})", "abs": "CR_FABS({0})",
-                                        "where": "({0} != CR_C(0.0) ? {1} : CR_C(0.0))"})
+C = Language(
+    lambda x: f"CR_C({x!r})",
+    {"sqrt": "CR_SQRT({0})", "abs": "CR_FABS({0})", "where": "({0} != CR_C(0.0) ? {1} : CR_C(0.0))"},
+)
 NUMPY = Language(repr, {"sqrt": "np.sqrt({0})", "abs": "np.abs({0})", "where": "np.where({0} != 0.0, {1}, 0.0)"})
 
 
@@ -57,7 +59,9 @@ class Section:
 
     def mentions(self, array: str) -> bool:
         """Whether the section reads or writes an array."""
-        return any(line.startswith(f"{array}[") for line in self.stores) or any(f" {array}[" in line for line in self.loads)
+        return any(line.startswith(f"{array}[") for line in self.stores) or any(
+            f" {array}[" in line for line in self.loads
+        )
 
 
 @dataclass(frozen=True)
@@ -135,8 +139,10 @@ def _angles(kernel: Kernel) -> dict[tuple[int, int], int]:
         if value.op in ("sin", "cos"):
             source = kernel.values[value.args[0]] if isinstance(value.args[0], int) else None
             if source is None or source.op != "input":
-                raise GenerationError(f"{kernel.name}: sine or cosine of something that is not an input entry; "
-                                      "write it with the addition theorem")
+                raise GenerationError(
+                    f"{kernel.name}: sine or cosine of something that is not an input entry; "
+                    "write it with the addition theorem"
+                )
             found.add((int(source.args[0]), int(source.args[1])))
     return {entry: number for number, entry in enumerate(sorted(found))}
 

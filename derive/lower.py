@@ -70,7 +70,9 @@ class Kernel:
 def lower(function: Function) -> Kernel:
     """Lower one function of the catalogue."""
     inputs, values = _graph(function.program)
-    outputs = [(o.name, o.shape, ca.vertcat(*(_sx(e, values) for e in o.expressions))) for o in function.program.outputs]
+    outputs = [
+        (o.name, o.shape, ca.vertcat(*(_sx(e, values) for e in o.expressions))) for o in function.program.outputs
+    ]
     summary = function.program.summary
     if function.gradient:
         summary = f"H and the gradients of H, 1/H and H^(-1/2), through the {function.program.summary}"
@@ -102,8 +104,11 @@ def _gradients(q: Any, kind: str, shape: Shape, weights: Any) -> list[tuple[str,
         seed = ca.vertcat(*(h / factor for factor in factors))
     gradient = ca.jtimes(weights, q, seed, True)
     inverse = 1 / h
-    found = {"gradient": gradient, "inverse_gradient": -(inverse * inverse) * gradient,
-             "inverse_root_gradient": (-0.5 * inverse * ca.sqrt(inverse)) * gradient}
+    found = {
+        "gradient": gradient,
+        "inverse_gradient": -(inverse * inverse) * gradient,
+        "inverse_root_gradient": (-0.5 * inverse * ca.sqrt(inverse)) * gradient,
+    }
     size = (q.numel(),)
     return [("manipulability", (), h), *((name, size, _where(h, value)) for name, value in found.items())]
 
@@ -150,7 +155,7 @@ def _sx(e: Any, values: dict[Any, Any]) -> Any:
         base, exponent = _sx(e.base, values), e.exp
         if exponent == 2:
             return base * base
-        if exponent == 0.5 or exponent.is_Rational and exponent.q == 2 and exponent.p == 1:
+        if exponent == 0.5 or (exponent.is_Rational and exponent.q == 2 and exponent.p == 1):
             return ca.sqrt(base)
         if exponent.is_Integer and abs(int(exponent)) <= 8:
             power = base
@@ -222,8 +227,7 @@ class _Numbering:
 
 
 _BINARY = {ca.OP_ADD: "add", ca.OP_SUB: "sub", ca.OP_MUL: "mul", ca.OP_DIV: "div"}
-_UNARY = {ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_SQRT: "sqrt", ca.OP_NEG: "neg", ca.OP_FABS: "abs",
-          ca.OP_INV: "inv"}
+_UNARY = {ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_SQRT: "sqrt", ca.OP_NEG: "neg", ca.OP_FABS: "abs", ca.OP_INV: "inv"}
 
 
 def _instructions(f: Any, numbering: _Numbering) -> list[list[Operand]]:

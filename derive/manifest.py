@@ -20,8 +20,14 @@ from typing import Any
 SCHEMA = 1
 
 #: What every unit depends on besides the modules of its formulas: the pipeline and the templates.
-PIPELINE = ("chainrule.derive.program", "chainrule.derive.catalogue", "chainrule.derive.lower", "chainrule.derive.listing", "chainrule.derive.emit",
-            "chainrule.derive.write")
+PIPELINE = (
+    "chainrule.derive.program",
+    "chainrule.derive.catalogue",
+    "chainrule.derive.lower",
+    "chainrule.derive.listing",
+    "chainrule.derive.emit",
+    "chainrule.derive.write",
+)
 UNIT_TEMPLATES = ("templates/kernel.c.j2", "templates/kernel.h.j2", "templates/kernel.inc.j2", "templates/kernel.py.j2")
 SHARED_INPUTS = ("derive/sincos.py", "templates/batch.h.j2", "templates/real.h.j2", "templates/sincos.h.j2")
 REQUIREMENTS = "derive/requirements.txt"
@@ -51,8 +57,11 @@ class Places:
 
     def locate(self, name: str) -> Path:
         """The file that an input's name stands for."""
-        for prefix, folder in (("derive/", self.derive), ("templates/", self.templates),
-                               ("src/chainrule/", self.package)):
+        for prefix, folder in (
+            ("derive/", self.derive),
+            ("templates/", self.templates),
+            ("src/chainrule/", self.package),
+        ):
             if name.startswith(prefix):
                 return folder / name.removeprefix(prefix)
         raise ValueError(f"{name} is not a part of chainrule")
@@ -196,8 +205,10 @@ def stray_files(places: Places, manifest: Mapping[str, Any]) -> list[str]:
     for unit in manifest["units"].values():
         known |= set(unit["files"])
     return sorted(
-        name for path in places.generated.rglob("*")
-        if path.is_file() and "__pycache__" not in path.parts
+        name
+        for path in places.generated.rglob("*")
+        if path.is_file()
+        and "__pycache__" not in path.parts
         and (name := path.relative_to(places.generated).as_posix()) not in known
     )
 

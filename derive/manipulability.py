@@ -49,7 +49,7 @@ def maximal_minors(steps: Steps, matrix: Matrix) -> list[Expression]:
             total = sp.Integer(0)
             for place, column in enumerate(columns):
                 if row[column] != 0:
-                    cofactor = known[columns[:place] + columns[place + 1:]]
+                    cofactor = known[columns[:place] + columns[place + 1 :]]
                     total += (-1) ** (size - 1 + place) * row[column] * cofactor
             current[columns] = steps.let("m" + "_".join(str(c + 1) for c in columns), total)
         known = current
@@ -96,8 +96,13 @@ def orthonormal_rows(steps: Steps, matrix: Matrix, passes: int = 1) -> tuple[Mat
 def minors_program(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, task: str) -> Program:
     """All maximal minors of the task Jacobian."""
     minors = maximal_minors(steps, matrix)
-    return Program(f"minors_{task}", f"maximal minors of the {task} Jacobian, columns in lexicographic order", inputs,
-                   tuple(steps.steps), (Output("minors", (len(minors),), tuple(minors)),))
+    return Program(
+        f"minors_{task}",
+        f"maximal minors of the {task} Jacobian, columns in lexicographic order",
+        inputs,
+        tuple(steps.steps),
+        (Output("minors", (len(minors),), tuple(minors)),),
+    )
 
 
 def weights_program(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, task: str) -> Program:
@@ -105,8 +110,13 @@ def weights_program(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, tas
     if by_minors(len(matrix), len(matrix[0])):
         return minors_program(steps, inputs, matrix, task)
     _, pivots = orthonormal_rows(steps, matrix)
-    return Program(f"pivots_{task}", f"pivots of the {task} Jacobian's orthogonal factorisation; H is their product",
-                   inputs, tuple(steps.steps), (Output("pivots", (len(pivots),), tuple(pivots)),))
+    return Program(
+        f"pivots_{task}",
+        f"pivots of the {task} Jacobian's orthogonal factorisation; H is their product",
+        inputs,
+        tuple(steps.steps),
+        (Output("pivots", (len(pivots),), tuple(pivots)),),
+    )
 
 
 def manipulability(weights: Program, task: str) -> Program:
@@ -116,15 +126,25 @@ def manipulability(weights: Program, task: str) -> Program:
         value = root_sum_of_squares(steps, list(output.expressions))
     else:
         value = sp.prod(output.expressions)
-    return Program(f"manipulability_{task}", f"manipulability H = sqrt(det(J J^T)) of the {task} Jacobian",
-                   weights.inputs, tuple(steps.steps), (Output("manipulability", (), (value,)),))
+    return Program(
+        f"manipulability_{task}",
+        f"manipulability H = sqrt(det(J J^T)) of the {task} Jacobian",
+        weights.inputs,
+        tuple(steps.steps),
+        (Output("manipulability", (), (value,)),),
+    )
 
 
 def null_vector(weights: Program, task: str) -> Program:
     """N from the signed minors: J N = 0, |N| = H, and zero exactly at the singular configurations."""
     entries = null_vector_from_minors(list(weights.outputs[0].expressions))
-    return Program(f"null_vector_{task}", f"null vector of the {task} Jacobian from its signed minors, |N| = H",
-                   weights.inputs, weights.steps, (Output("null_vector", (len(entries),), tuple(entries)),))
+    return Program(
+        f"null_vector_{task}",
+        f"null vector of the {task} Jacobian from its signed minors, |N| = H",
+        weights.inputs,
+        weights.steps,
+        (Output("null_vector", (len(entries),), tuple(entries)),),
+    )
 
 
 def null_projector(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, task: str) -> Program:
@@ -132,10 +152,17 @@ def null_projector(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, task
     basis, _ = orthonormal_rows(steps, matrix, passes=2)
     n = len(matrix[0])
     upper = {
-        (i, j): steps.let(f"P{i + 1}_{j + 1}",
-                          sp.Integer(i == j) - sum((unit[i] * unit[j] for unit in basis), sp.Integer(0)))
-        for i in range(n) for j in range(i, n)
+        (i, j): steps.let(
+            f"P{i + 1}_{j + 1}", sp.Integer(i == j) - sum((unit[i] * unit[j] for unit in basis), sp.Integer(0))
+        )
+        for i in range(n)
+        for j in range(i, n)
     }
     entries = tuple(upper[min(i, j), max(i, j)] for i in range(n) for j in range(n))
-    return Program(f"null_projector_{task}", f"projector I - J^+ J onto the null space of the {task} Jacobian",
-                   inputs, tuple(steps.steps), (Output("null_projector", (n, n), entries),))
+    return Program(
+        f"null_projector_{task}",
+        f"projector I - J^+ J onto the null space of the {task} Jacobian",
+        inputs,
+        tuple(steps.steps),
+        (Output("null_projector", (n, n), entries),),
+    )

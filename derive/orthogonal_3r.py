@@ -34,8 +34,11 @@ def determinant() -> Expression:
     (entry,) = maximal_minors(steps, minor_matrix(steps, orthogonal_chain(), "position"))
     program = Program("", "", (), tuple(steps.steps), (Output("det", (), (entry,)),))
     (value,) = closed_form(program)["det"]
-    names = {f(q): sp.Symbol(f"{n}{i}") for i, q in enumerate(orthogonal_chain().q, 1)
-             for f, n in ((sp.sin, "s"), (sp.cos, "c"))}
+    names = {
+        f(q): sp.Symbol(f"{n}{i}")
+        for i, q in enumerate(orthogonal_chain().q, 1)
+        for f, n in ((sp.sin, "s"), (sp.cos, "c"))
+    }
     value = sp.expand(value.xreplace(names))
     for i in (1, 2, 3):
         s, c = sp.symbols(f"s{i} c{i}")
@@ -48,7 +51,11 @@ def minors(arm: Chain) -> Program:
     """The one maximal minor, det J, in factored form."""
     steps = Steps()
     q2, q3 = arm.q[1:]
-    named = {f(q): steps.let(f"{n}{i}", f(q)) for i, q in ((2, q2), (3, q3))
-             for f, n in ((sp.sin, "s"), (sp.cos, "c"))}
-    return Program("minors_position", "determinant of the position Jacobian, factored", arm.inputs, tuple(steps.steps),
-                   (Output("minors", (1,), (determinant().xreplace(named),)),))
+    named = {f(q): steps.let(f"{n}{i}", f(q)) for i, q in ((2, q2), (3, q3)) for f, n in ((sp.sin, "s"), (sp.cos, "c"))}
+    return Program(
+        "minors_position",
+        "determinant of the position Jacobian, factored",
+        arm.inputs,
+        tuple(steps.steps),
+        (Output("minors", (1,), (determinant().xreplace(named),)),),
+    )

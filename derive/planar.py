@@ -47,7 +47,7 @@ class Layout:
 def layout(steps: Steps, arm: PlanarChain, first: int = 0) -> Layout:
     """Headings and points, seen from the base (``first=0``) or turned back by the first joint's heading."""
     q, parameters = arm.inputs[0].symbols, arm.inputs[1].symbols
-    turning = iter(parameters[arm.n:])
+    turning = iter(parameters[arm.n :])
     heading: Pair = (sp.Integer(1), sp.Integer(0))
     point: Pair = (sp.Integer(0), sp.Integer(0))
     headings, points = [], []
@@ -57,11 +57,15 @@ def layout(steps: Steps, arm: PlanarChain, first: int = 0) -> Layout:
         if i >= first:
             c = steps.let(f"c{i + 1}", sp.cos(angle))
             s = steps.let(f"s{i + 1}", sp.sin(angle))
-            heading = (steps.let(f"hx{i + 1}", heading[0] * c - heading[1] * s),
-                       steps.let(f"hy{i + 1}", heading[1] * c + heading[0] * s))
+            heading = (
+                steps.let(f"hx{i + 1}", heading[0] * c - heading[1] * s),
+                steps.let(f"hy{i + 1}", heading[1] * c + heading[0] * s),
+            )
         headings.append(heading)
-        point = (steps.let(f"x{i + 1}", point[0] + advance * heading[0]),
-                 steps.let(f"y{i + 1}", point[1] + advance * heading[1]))
+        point = (
+            steps.let(f"x{i + 1}", point[0] + advance * heading[0]),
+            steps.let(f"y{i + 1}", point[1] + advance * heading[1]),
+        )
     return Layout(headings, points, point)
 
 
@@ -105,8 +109,9 @@ def placement(arm: PlanarChain, task: str) -> Program:
     """Position or pose of the tip."""
     steps = Steps()
     output = place_output(layout(steps, arm), task)
-    return Program(output.name, f"{output.name} of the tip, in the base frame", arm.inputs, tuple(steps.steps),
-                   (output,))
+    return Program(
+        output.name, f"{output.name} of the tip, in the base frame", arm.inputs, tuple(steps.steps), (output,)
+    )
 
 
 def jacobian_of(steps: Steps, arm: PlanarChain, place: Layout, task: str) -> Output:
@@ -119,8 +124,9 @@ def jacobian(arm: PlanarChain, task: str) -> Program:
     """The task Jacobian in the base frame."""
     steps = Steps()
     output = jacobian_of(steps, arm, layout(steps, arm), task)
-    return Program(f"jacobian_{task}", f"Jacobian of the {task} task, in the base frame", arm.inputs,
-                   tuple(steps.steps), (output,))
+    return Program(
+        f"jacobian_{task}", f"Jacobian of the {task} task, in the base frame", arm.inputs, tuple(steps.steps), (output,)
+    )
 
 
 def kinematics(arm: PlanarChain, task: str) -> Program:
@@ -128,5 +134,10 @@ def kinematics(arm: PlanarChain, task: str) -> Program:
     steps = Steps()
     place = layout(steps, arm)
     outputs = (place_output(place, "position" if task == "position" else "pose"), jacobian_of(steps, arm, place, task))
-    return Program(f"kinematics_{task}", f"{outputs[0].name} and the Jacobian of the {task} task", arm.inputs,
-                   tuple(steps.steps), outputs)
+    return Program(
+        f"kinematics_{task}",
+        f"{outputs[0].name} and the Jacobian of the {task} task",
+        arm.inputs,
+        tuple(steps.steps),
+        outputs,
+    )

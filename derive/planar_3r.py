@@ -60,15 +60,24 @@ def minors(arm: PlanarChain) -> Program:
     """The minors (1,2), (1,3), (2,3) of the position Jacobian."""
     steps = Steps()
     entries = tuple(_named(steps, arm))
-    return Program("minors_position", "minors (1,2), (1,3), (2,3) of the position Jacobian, in closed form",
-                   arm.inputs, tuple(steps.steps), (Output("minors", (3,), entries),))
+    return Program(
+        "minors_position",
+        "minors (1,2), (1,3), (2,3) of the position Jacobian, in closed form",
+        arm.inputs,
+        tuple(steps.steps),
+        (Output("minors", (3,), entries),),
+    )
 
 
 def survey(arm: PlanarChain) -> Program:
     """Position, Jacobian and H together: what a sweep over the workspace asks."""
     steps = Steps()
     place = layout(steps, arm)
-    outputs = (place_output(place, "position"), jacobian_of(steps, arm, place, "position"),
-               Output("manipulability", (), (root_sum_of_squares(steps, _named(steps, arm)),)))
-    return Program("survey_position", "position, Jacobian and manipulability H together", arm.inputs,
-                   tuple(steps.steps), outputs)
+    outputs = (
+        place_output(place, "position"),
+        jacobian_of(steps, arm, place, "position"),
+        Output("manipulability", (), (root_sum_of_squares(steps, _named(steps, arm)),)),
+    )
+    return Program(
+        "survey_position", "position, Jacobian and manipulability H together", arm.inputs, tuple(steps.steps), outputs
+    )

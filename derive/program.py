@@ -67,8 +67,9 @@ class Steps:
         """Name ``expression`` (made unique by a suffix if needed) and return its symbol."""
         if isinstance(expression, int):
             return sp.Integer(expression)
-        if expression.is_Atom or (expression.is_Mul and len(expression.args) == 2 and expression.args[0] == -1
-                                  and expression.args[1].is_Atom):
+        if expression.is_Atom or (
+            expression.is_Mul and len(expression.args) == 2 and expression.args[0] == -1 and expression.args[1].is_Atom
+        ):
             return expression
         if expression in self._known:
             return self._known[expression]
@@ -172,4 +173,4 @@ class GuardedInverse(sp.Function):  # type: ignore[misc]
 
     def fdiff(self, argindex: int = 1) -> Expression:
         """Derivative -1/x^2, and 0 where x is 0."""
-        return -GuardedInverse(self.args[0]) ** 2
+        return -(GuardedInverse(self.args[0]) ** 2)

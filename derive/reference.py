@@ -33,16 +33,20 @@ def reference(function: Function, inputs: Mapping[str, Sequence[Any]], digits: i
         gradient = []
         for i in range(len(q)):
             ahead, behind = ([entry + sign * h * (k == i) for k, entry in enumerate(q)] for sign in (1, -1))
-            rise = (manipulability(function.program, {**inputs, name: ahead}, 3 * digits)
-                    - manipulability(function.program, {**inputs, name: behind}, 3 * digits))
+            rise = manipulability(function.program, {**inputs, name: ahead}, 3 * digits) - manipulability(
+                function.program, {**inputs, name: behind}, 3 * digits
+            )
             gradient.append(rise / (2 * h))
-        return {"manipulability": [value], "gradient": gradient,
-                "inverse_gradient": [-g / value**2 for g in gradient],
-                "inverse_root_gradient": [-g / (2 * value ** mpmath.mpf("1.5")) for g in gradient]}
+        return {
+            "manipulability": [value],
+            "gradient": gradient,
+            "inverse_gradient": [-g / value**2 for g in gradient],
+            "inverse_root_gradient": [-g / (2 * value ** mpmath.mpf("1.5")) for g in gradient],
+        }
 
 
 def manipulability(program: Program, inputs: Mapping[str, Sequence[Any]], digits: int) -> Any:
     """H from the minors (their norm) or the pivots (their product)."""
-    (name, entries), = evaluate(program, inputs, digits).items()
+    ((name, entries),) = evaluate(program, inputs, digits).items()
     with mpmath.workdps(digits + 10):
         return mpmath.sqrt(mpmath.fsum(e**2 for e in entries)) if name == "minors" else mpmath.fprod(entries)

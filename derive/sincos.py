@@ -247,12 +247,18 @@ def constants(precision: Precision) -> SincosConstants:
     sines = [ctx.sin(r) / r for r in angles]
     cosines = [ctx.cos(r) for r in angles]
     sine = _coefficients(
-        ctx, points, [(s - 1) / z for s, z in zip(sines, points, strict=True)],
-        [z / s for s, z in zip(sines, points, strict=True)], form,
+        ctx,
+        points,
+        [(s - 1) / z for s, z in zip(sines, points, strict=True)],
+        [z / s for s, z in zip(sines, points, strict=True)],
+        form,
     )
     cosine = _coefficients(
-        ctx, points, [(c - 1 + z / 2) / z**2 for c, z in zip(cosines, points, strict=True)],
-        [z**2 / c for c, z in zip(cosines, points, strict=True)], form,
+        ctx,
+        points,
+        [(c - 1 + z / 2) / z**2 for c, z in zip(cosines, points, strict=True)],
+        [z**2 / c for c, z in zip(cosines, points, strict=True)],
+        form,
     )
     approaches = _closest_approaches(ctx, form, limit)
     # The tail, half an ulp of r at most, lacks n times what the split leaves out; its last product and sum are rounded.

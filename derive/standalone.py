@@ -26,9 +26,15 @@ def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], N
     made = make_unit(Places.here(), model, catalogue.groups(model), name=unit, prefix=unit, shared="")
     progress("computing reference values")
     functions = [f for group in catalogue.groups(model) for f in catalogue.functions(model, group)]
-    context = {"unit": unit, "digest": made.record["digest"], "digits": DIGITS, "count": COUNT, "limit": LIMIT,
-               **_reference_values(arm, functions, made.kernels)}
-    files = {}
+    context = {
+        "unit": unit,
+        "digest": made.record["digest"],
+        "digits": DIGITS,
+        "count": COUNT,
+        "limit": LIMIT,
+        **_reference_values(arm, functions, made.kernels),
+    }
+    files: dict[str, str] = {}
     if "c" in targets:
         files |= {name: text for name, text in made.files.items() if not name.endswith(".py")} | emit.shared_headers()
         files[f"{unit}_float.c"] = emit.render("float.c.j2", context)
@@ -36,10 +42,20 @@ def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], N
     if "python" in targets:
         files[f"{unit}.py"] = made.files[f"{unit}.py"]
         files[f"test_{unit}.py"] = emit.render("test.py.j2", context)
-    files["README.md"] = emit.render("readme.md.j2", {
-        **context, "arm": arm.name, "joints": arm.n, "kinds": arm.kinds, "source": _one_line(arm.source), "targets": targets,
-        "parameters": [{"name": n, "value": v} for n, v in zip(model.parameter_names, model.parameters, strict=True)],
-    })
+    files["README.md"] = emit.render(
+        "readme.md.j2",
+        {
+            **context,
+            "arm": arm.name,
+            "joints": arm.n,
+            "kinds": arm.kinds,
+            "source": _one_line(arm.source),
+            "targets": targets,
+            "parameters": [
+                {"name": n, "value": v} for n, v in zip(model.parameter_names, model.parameters, strict=True)
+            ],
+        },
+    )
     return files
 
 
@@ -53,13 +69,15 @@ def _reference_values(arm: Description, functions: list[Function], kernels: Sequ
     """Inputs, and for each function its ports with their reference values as literals of C and Python."""
     parameters = {"parameters": list(arm.model.parameters)} if arm.model.parameters else {}
     samples = [{"q": q, **parameters} for q in _configurations(arm, functions)]
-    inputs = [{"name": name, "size": len(samples[0][name]), "rows": [_row(s[name]) for s in samples]} for name in samples[0]]
+    inputs = [
+        {"name": name, "size": len(samples[0][name]), "rows": [_row(s[name]) for s in samples]} for name in samples[0]
+    ]
     views = [_function(f, k, identifier(arm.name), samples) for f, k in zip(functions, kernels, strict=True)]
     return {"inputs": inputs, "functions": views}
 
 
 def _configurations(arm: Description, functions: list[Function]) -> list[list[float]]:
-    """Configurations within the limits; of several random ones those with the largest H, where errors are rounding's."""
+    """Configurations within the limits; of random ones those with the largest H, where errors are only rounding's."""
     generator = random.Random(arm.model.digest)
 
     def one() -> list[float]:
@@ -104,8 +122,14 @@ def _function(
             width *= extent
         steps += reversed(strides)
     return {
-        "name": function.name, "symbol": symbol, "summary": kernel.summary, "operations": kernel.operations, "inputs": inputs, "outputs": outputs,
-        "batch_args": ", ".join(arguments), "batch_steps": ", ".join(steps),
+        "name": function.name,
+        "symbol": symbol,
+        "summary": kernel.summary,
+        "operations": kernel.operations,
+        "inputs": inputs,
+        "outputs": outputs,
+        "batch_args": ", ".join(arguments),
+        "batch_steps": ", ".join(steps),
         "call": ", ".join([f"{n}[i]" for n in names] + [f"{p['name']}_got" for p in outputs]),
         "callf": ", ".join([f"{n}_f" for n in names] + [f"{p['name']}_gotf" for p in outputs]),
     }

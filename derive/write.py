@@ -74,8 +74,14 @@ def make_unit(
         }
         for kernel in kernels
     }
-    record: dict[str, Any] = {"model": model.name, "groups": list(groups), "models": [model.digest], "inputs": list(inputs),
-              "digest": digest, "functions": functions}
+    record: dict[str, Any] = {
+        "model": model.name,
+        "groups": list(groups),
+        "models": [model.digest],
+        "inputs": list(inputs),
+        "digest": digest,
+        "functions": functions,
+    }
     return Unit(name, files, record, tuple(kernels))
 
 
@@ -114,8 +120,11 @@ def regenerate(places: Places, progress: Progress = lambda line: None, workers: 
     arms = embedded(places)
     units = planned(arms.values())
     stale = records.stale_units(places, manifest)
-    wanted = [name for name, (model, _) in units.items()
-              if name in stale or name not in manifest["units"] or manifest["units"][name]["models"] != [model.digest]]
+    wanted = [
+        name
+        for name, (model, _) in units.items()
+        if name in stale or name not in manifest["units"] or manifest["units"][name]["models"] != [model.digest]
+    ]
     written = []
     if "shared" in stale:
         _write_shared(places, manifest)
@@ -130,8 +139,11 @@ def regenerate(places: Places, progress: Progress = lambda line: None, workers: 
     for name in [name for name in manifest["units"] if name not in units]:
         del manifest["units"][name]
     manifest["arms"] = {
-        name: {"file": records.digest_of((places.package / "arms" / name).read_bytes()), "model": arm.model.digest,
-               "name": arm.model.name}
+        name: {
+            "file": records.digest_of((places.package / "arms" / name).read_bytes()),
+            "model": arm.model.digest,
+            "name": arm.model.name,
+        }
         for name, arm in arms.items()
     }
     records.write_whole(places.generated / "manifest.json", records.as_text(manifest))
@@ -156,12 +168,16 @@ def _write_shared(places: Places, manifest: dict[str, Any]) -> None:
         records.write_whole(places.generated / name, text)
     inputs = [*records.SHARED_INPUTS, "derive/emit.py"]
     manifest["shared"] = {
-        "inputs": inputs, "models": [], "digest": records.digest_of_inputs(places, inputs),
+        "inputs": inputs,
+        "models": [],
+        "digest": records.digest_of_inputs(places, inputs),
         "files": {name: records.digest_of(text.encode()) for name, text in headers.items()},
     }
 
 
-def differences(places: Places, progress: Progress = lambda line: None, workers: int | None = None) -> list[records.Drift]:
+def differences(
+    places: Places, progress: Progress = lambda line: None, workers: int | None = None
+) -> list[records.Drift]:
     """Derive everything again, in memory, and compare byte by byte with what is there: the thorough check."""
     from chainrule.derive import emit
 
@@ -194,8 +210,10 @@ def version_notes(places: Places) -> list[str]:
         except PackageNotFoundError:
             installed = "none"
         if installed != pinned:
-            notes.append(f"{name} {installed} is installed; generated/ is written with {name} {pinned}, "
-                         "and other versions may write other bytes")
+            notes.append(
+                f"{name} {installed} is installed; generated/ is written with {name} {pinned}, "
+                "and other versions may write other bytes"
+            )
     return notes
 
 

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs bae8ffb8310393b1f444d14e0d7c0b210eb42aa4e80fb352220a5aba2f674c05. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "bae8ffb8310393b1f444d14e0d7c0b210eb42aa4e80fb352220a5aba2f674c05";
+const char crx10ial_kinematics_digest[] = "8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e";
 #endif
 
 #define LANES 64

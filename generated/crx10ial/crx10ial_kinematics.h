@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs bae8ffb8310393b1f444d14e0d7c0b210eb42aa4e80fb352220a5aba2f674c05. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bae8ffb8310393b1f444d14e0d7c0b210eb42aa4e80fb352220a5aba2f674c05.
+Made from templates/kernel.py.j2; inputs 8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs d66203c235d622865391863ce8f8ee0be06fbc28998b8168ac52b3fb17ff4bbf. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "d66203c235d622865391863ce8f8ee0be06fbc28998b8168ac52b3fb17ff4bbf";
+const char crx10ial_pose_digest[] = "137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* crx10ial_pose.h: manipulability (pose) of crx10ial.
- * Made from templates/kernel.h.j2; inputs d66203c235d622865391863ce8f8ee0be06fbc28998b8168ac52b3fb17ff4bbf. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d66203c235d622865391863ce8f8ee0be06fbc28998b8168ac52b3fb17ff4bbf.
+Made from templates/kernel.py.j2; inputs 137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 75fcccf37facf70273ffd790fb0cf34845dc89a34c11866b493bf29b76a4596e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 4c89d2e223328bb45d5e799cc1950e5927d1bb63f3518ae348cec976eeb2274e. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "75fcccf37facf70273ffd790fb0cf34845dc89a34c11866b493bf29b76a4596e";
+const char gofa5_kinematics_digest[] = "4c89d2e223328bb45d5e799cc1950e5927d1bb63f3518ae348cec976eeb2274e";
 #endif
 
 #define LANES 64

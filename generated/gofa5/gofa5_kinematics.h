@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 75fcccf37facf70273ffd790fb0cf34845dc89a34c11866b493bf29b76a4596e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 4c89d2e223328bb45d5e799cc1950e5927d1bb63f3518ae348cec976eeb2274e. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

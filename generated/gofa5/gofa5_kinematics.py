@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 75fcccf37facf70273ffd790fb0cf34845dc89a34c11866b493bf29b76a4596e.
+Made from templates/kernel.py.j2; inputs 4c89d2e223328bb45d5e799cc1950e5927d1bb63f3518ae348cec976eeb2274e.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

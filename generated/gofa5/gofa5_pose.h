@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 9bb7f069349ed6461d6727b15770e9ea20e8a5dc92a7f742162fbfc09bac9f53. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 1212c8e72e0806cda6d05674214a514485e87bf35055bebc5439ce2df5fddff2. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

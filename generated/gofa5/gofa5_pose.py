@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9bb7f069349ed6461d6727b15770e9ea20e8a5dc92a7f742162fbfc09bac9f53.
+Made from templates/kernel.py.j2; inputs 1212c8e72e0806cda6d05674214a514485e87bf35055bebc5439ce2df5fddff2.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

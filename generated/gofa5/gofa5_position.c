@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 9bb7f069349ed6461d6727b15770e9ea20e8a5dc92a7f742162fbfc09bac9f53. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1212c8e72e0806cda6d05674214a514485e87bf35055bebc5439ce2df5fddff2. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "9bb7f069349ed6461d6727b15770e9ea20e8a5dc92a7f742162fbfc09bac9f53";
+const char gofa5_position_digest[] = "1212c8e72e0806cda6d05674214a514485e87bf35055bebc5439ce2df5fddff2";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 6040ca00b04749ca4f3185a27318dd33458c502c98ec5695db3525583c19e2f9. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs c88b2cb12b3575650835962723e5f01096a8c04e10f400a4c60a26ecd9c7b7dc. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "6040ca00b04749ca4f3185a27318dd33458c502c98ec5695db3525583c19e2f9";
+const char iiwa14_kinematics_digest[] = "c88b2cb12b3575650835962723e5f01096a8c04e10f400a4c60a26ecd9c7b7dc";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 6040ca00b04749ca4f3185a27318dd33458c502c98ec5695db3525583c19e2f9. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs c88b2cb12b3575650835962723e5f01096a8c04e10f400a4c60a26ecd9c7b7dc. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6040ca00b04749ca4f3185a27318dd33458c502c98ec5695db3525583c19e2f9.
+Made from templates/kernel.py.j2; inputs c88b2cb12b3575650835962723e5f01096a8c04e10f400a4c60a26ecd9c7b7dc.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

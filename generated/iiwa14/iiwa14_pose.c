@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 180b002c30016c838dfed46b97720eca6f4f098b11053e70bbe56b38fc01e2db. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs baa9c9ee08ac0512cd7d5b07f0a56ba73e8075a9f459533f53574e478da8df51. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "180b002c30016c838dfed46b97720eca6f4f098b11053e70bbe56b38fc01e2db";
+const char iiwa14_pose_digest[] = "baa9c9ee08ac0512cd7d5b07f0a56ba73e8075a9f459533f53574e478da8df51";
 #endif
 
 #define LANES 64

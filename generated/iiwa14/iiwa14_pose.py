@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 180b002c30016c838dfed46b97720eca6f4f098b11053e70bbe56b38fc01e2db.
+Made from templates/kernel.py.j2; inputs baa9c9ee08ac0512cd7d5b07f0a56ba73e8075a9f459533f53574e478da8df51.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 55f28229775a0f9acc256476b2337ba1de108c4ecaefc71d41471c02aad246f4. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5f665f91e3db4ad2321c796607e1df5b4621dddae34e31eeaf260e85a9e01ebb. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "55f28229775a0f9acc256476b2337ba1de108c4ecaefc71d41471c02aad246f4";
+const char jaco2_kinematics_digest[] = "5f665f91e3db4ad2321c796607e1df5b4621dddae34e31eeaf260e85a9e01ebb";
 #endif
 
 #define LANES 64

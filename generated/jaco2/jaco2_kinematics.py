@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 55f28229775a0f9acc256476b2337ba1de108c4ecaefc71d41471c02aad246f4.
+Made from templates/kernel.py.j2; inputs 5f665f91e3db4ad2321c796607e1df5b4621dddae34e31eeaf260e85a9e01ebb.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

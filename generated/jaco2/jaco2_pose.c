@@ -1,5 +1,5 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs 99b0398333bf9cc79121c069284b19756dd3c1997145bde508da89663f5bf9f4. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 00147e2ee08455a105767eae0722d9db73301813f1802f400080196f3bd8b23c. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "99b0398333bf9cc79121c069284b19756dd3c1997145bde508da89663f5bf9f4";
+const char jaco2_pose_digest[] = "00147e2ee08455a105767eae0722d9db73301813f1802f400080196f3bd8b23c";
 #endif
 
 #define LANES 64

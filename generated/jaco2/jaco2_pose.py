@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 99b0398333bf9cc79121c069284b19756dd3c1997145bde508da89663f5bf9f4.
+Made from templates/kernel.py.j2; inputs 00147e2ee08455a105767eae0722d9db73301813f1802f400080196f3bd8b23c.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 8fbbba3ea678a0a3637bfde45c6a7f38d04b2d563fafdcd5445096dd62256938. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 8fbbba3ea678a0a3637bfde45c6a7f38d04b2d563fafdcd5445096dd62256938. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963";
+const char orthogonal_3r_position_digest[] = "8fbbba3ea678a0a3637bfde45c6a7f38d04b2d563fafdcd5445096dd62256938";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a3c02e9489462d00773a2d1c643aaf750bfd6f4c83de585566c957023d8c1963.
+Made from templates/kernel.py.j2; inputs 8fbbba3ea678a0a3637bfde45c6a7f38d04b2d563fafdcd5445096dd62256938.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

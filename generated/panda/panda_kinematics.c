@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 0cd5001a19894cf7619358f3b147af1ec279f50e0b9ffe7e22a08ce1487b83eb. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 8d15438dcb73df55fe4c7dda4731ac7632d199757754c8c07be300391243fd04. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "0cd5001a19894cf7619358f3b147af1ec279f50e0b9ffe7e22a08ce1487b83eb";
+const char panda_kinematics_digest[] = "8d15438dcb73df55fe4c7dda4731ac7632d199757754c8c07be300391243fd04";
 #endif
 
 #define LANES 64

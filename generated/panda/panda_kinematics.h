@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 0cd5001a19894cf7619358f3b147af1ec279f50e0b9ffe7e22a08ce1487b83eb. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 8d15438dcb73df55fe4c7dda4731ac7632d199757754c8c07be300391243fd04. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0cd5001a19894cf7619358f3b147af1ec279f50e0b9ffe7e22a08ce1487b83eb.
+Made from templates/kernel.py.j2; inputs 8d15438dcb73df55fe4c7dda4731ac7632d199757754c8c07be300391243fd04.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

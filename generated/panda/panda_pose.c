@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs 6f94fcd7b534e4f2104360f5a099282789865a274fcf1da99d2159dd6c21657d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 8043a8cdb598499d21d04bb317b5b20ce3b5388fb8b8c1db0fe45e305e2cfecd. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "6f94fcd7b534e4f2104360f5a099282789865a274fcf1da99d2159dd6c21657d";
+const char panda_pose_digest[] = "8043a8cdb598499d21d04bb317b5b20ce3b5388fb8b8c1db0fe45e305e2cfecd";
 #endif
 
 #define LANES 64

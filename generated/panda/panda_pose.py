@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6f94fcd7b534e4f2104360f5a099282789865a274fcf1da99d2159dd6c21657d.
+Made from templates/kernel.py.j2; inputs 8043a8cdb598499d21d04bb317b5b20ce3b5388fb8b8c1db0fe45e305e2cfecd.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 6f94fcd7b534e4f2104360f5a099282789865a274fcf1da99d2159dd6c21657d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 8043a8cdb598499d21d04bb317b5b20ce3b5388fb8b8c1db0fe45e305e2cfecd. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,5 +1,5 @@
 /* planar_rrr_position.c: manipulability (position) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1e1f0abfb59c58d6b8287dc829bfdd83e8d0254100b35215d8f226cf2735eee0. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_position_digest[] = "3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5";
+const char planar_rrr_position_digest[] = "1e1f0abfb59c58d6b8287dc829bfdd83e8d0254100b35215d8f226cf2735eee0";
 #endif
 
 #define LANES 64

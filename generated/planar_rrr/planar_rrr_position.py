@@ -1,6 +1,6 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3f5d453532101f7fc8f08d9605e0cfe33265b6b439a59a67a09c9e3165a96fe5.
+Made from templates/kernel.py.j2; inputs 1e1f0abfb59c58d6b8287dc829bfdd83e8d0254100b35215d8f226cf2735eee0.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 6223320dd80dfbc2165b4b89ddef8189fa5b31da0b1ae96977c475894f45c9d5. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs ac51e8fed78e873538e8404b27b55925092816afcafe35b634a8c5691207eeb3. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "puma560_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "6223320dd80dfbc2165b4b89ddef8189fa5b31da0b1ae96977c475894f45c9d5";
+const char puma560_kinematics_digest[] = "ac51e8fed78e873538e8404b27b55925092816afcafe35b634a8c5691207eeb3";
 #endif
 
 #define LANES 64

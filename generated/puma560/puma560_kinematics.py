@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6223320dd80dfbc2165b4b89ddef8189fa5b31da0b1ae96977c475894f45c9d5.
+Made from templates/kernel.py.j2; inputs ac51e8fed78e873538e8404b27b55925092816afcafe35b634a8c5691207eeb3.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a1e2b95576d94e7684938c00216d1f48cb1544f4362937f75a5cd0747db8efe5.
+Made from templates/kernel.py.j2; inputs 16700b4fd390ae7f262ab2b659072c380f711a2bc15ee10e9b1bc5c7b71f55d7.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_position.c: manipulability (position) of puma560.
- * Made from templates/kernel.c.j2; inputs a1e2b95576d94e7684938c00216d1f48cb1544f4362937f75a5cd0747db8efe5. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 16700b4fd390ae7f262ab2b659072c380f711a2bc15ee10e9b1bc5c7b71f55d7. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "puma560_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_position_digest[] = "a1e2b95576d94e7684938c00216d1f48cb1544f4362937f75a5cd0747db8efe5";
+const char puma560_position_digest[] = "16700b4fd390ae7f262ab2b659072c380f711a2bc15ee10e9b1bc5c7b71f55d7";
 #endif
 
 #define LANES 64

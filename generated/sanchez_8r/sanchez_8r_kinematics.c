@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs b875457ce6539dbacf88836677b0ba7e598c49b3301a898d828df007a1f90845. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs f49b3fe79ed7fbe01b171563132e58af5f508c59b497af1f4ad9889e65296ad6. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "b875457ce6539dbacf88836677b0ba7e598c49b3301a898d828df007a1f90845";
+const char sanchez_8r_kinematics_digest[] = "f49b3fe79ed7fbe01b171563132e58af5f508c59b497af1f4ad9889e65296ad6";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b875457ce6539dbacf88836677b0ba7e598c49b3301a898d828df007a1f90845.
+Made from templates/kernel.py.j2; inputs f49b3fe79ed7fbe01b171563132e58af5f508c59b497af1f4ad9889e65296ad6.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

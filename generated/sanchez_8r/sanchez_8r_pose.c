@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 1f895513fe4e87c8a6d5ca94419471586e8d70ff7d6ecc9979a3cb20749aa90b. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs e6bfa8bff96a07e9f3cc41a06670b1ad9c86332d9967ab8c3fedf6d7f9e673b1. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "1f895513fe4e87c8a6d5ca94419471586e8d70ff7d6ecc9979a3cb20749aa90b";
+const char sanchez_8r_pose_digest[] = "e6bfa8bff96a07e9f3cc41a06670b1ad9c86332d9967ab8c3fedf6d7f9e673b1";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 1f895513fe4e87c8a6d5ca94419471586e8d70ff7d6ecc9979a3cb20749aa90b. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs e6bfa8bff96a07e9f3cc41a06670b1ad9c86332d9967ab8c3fedf6d7f9e673b1. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

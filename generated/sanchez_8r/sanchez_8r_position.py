@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1f895513fe4e87c8a6d5ca94419471586e8d70ff7d6ecc9979a3cb20749aa90b.
+Made from templates/kernel.py.j2; inputs e6bfa8bff96a07e9f3cc41a06670b1ad9c86332d9967ab8c3fedf6d7f9e673b1.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 501a8b6e8b38f5297e5a7542bd9150b701ea24a2cf10bd5a4bce5acc6c63b955. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 50d1b95a7857c914c5b377b0f2589b16008452646331bad286894b16e27bd869. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "501a8b6e8b38f5297e5a7542bd9150b701ea24a2cf10bd5a4bce5acc6c63b955";
+const char ur5e_kinematics_digest[] = "50d1b95a7857c914c5b377b0f2589b16008452646331bad286894b16e27bd869";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 501a8b6e8b38f5297e5a7542bd9150b701ea24a2cf10bd5a4bce5acc6c63b955.
+Made from templates/kernel.py.j2; inputs 50d1b95a7857c914c5b377b0f2589b16008452646331bad286894b16e27bd869.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

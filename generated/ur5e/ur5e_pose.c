@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 322b4d16909f9675888f15037dd9038b882db2af5182fdfe30fe038aa62ab8c2. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 6d83f873b7ead27a5a10b06457f3d0b960ca935b00a3072673de4b205abfaf2e. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "322b4d16909f9675888f15037dd9038b882db2af5182fdfe30fe038aa62ab8c2";
+const char ur5e_pose_digest[] = "6d83f873b7ead27a5a10b06457f3d0b960ca935b00a3072673de4b205abfaf2e";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 322b4d16909f9675888f15037dd9038b882db2af5182fdfe30fe038aa62ab8c2.
+Made from templates/kernel.py.j2; inputs 6d83f873b7ead27a5a10b06457f3d0b960ca935b00a3072673de4b205abfaf2e.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -19,8 +19,17 @@ if TYPE_CHECKING:
     from chainrule.export import generate
 
 __all__ = [
-    "Arm", "DescriptionError", "GenerationError", "InputError", "Limits", "NoCompilerWarning", "generate", "load",
-    "orthogonal_3r", "planar", "planar_3r",
+    "Arm",
+    "DescriptionError",
+    "GenerationError",
+    "InputError",
+    "Limits",
+    "NoCompilerWarning",
+    "generate",
+    "load",
+    "orthogonal_3r",
+    "planar",
+    "planar_3r",
 ]
 
 _HOMES = {

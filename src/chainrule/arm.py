@@ -61,6 +61,7 @@ class Arm:
         self._description = description
         self._evaluators = Evaluators(description.model)
         self._parameters = tuple(np.array(p) for p in (description.model.parameters,) if p)
+        self._single_parameters = tuple(p.astype(np.float32) for p in self._parameters)
         for parameters in self._parameters:
             parameters.flags.writeable = False
 
@@ -113,11 +114,21 @@ class Arm:
             array.flags.writeable = False
             return array
 
-        return Limits(column((j.position for j in joints), free), column((j.velocity for j in joints), np.inf),
-                      column((j.acceleration for j in joints), np.inf), column((j.torque for j in joints), np.inf))
+        return Limits(
+            column((j.position for j in joints), free),
+            column((j.velocity for j in joints), np.inf),
+            column((j.acceleration for j in joints), np.inf),
+            column((j.torque for j in joints), np.inf),
+        )
 
-    def with_limits(self, *, position: Sequence[Any] | None = None, velocity: Sequence[Any] | None = None,
-                    acceleration: Sequence[Any] | None = None, torque: Sequence[Any] | None = None) -> Arm:
+    def with_limits(
+        self,
+        *,
+        position: Sequence[Any] | None = None,
+        velocity: Sequence[Any] | None = None,
+        acceleration: Sequence[Any] | None = None,
+        torque: Sequence[Any] | None = None,
+    ) -> Arm:
         """A copy with other limits: ``position`` (n, 2), the rest (n,); None or inf means no limit.
 
         Raises:
@@ -127,8 +138,11 @@ class Arm:
             >>> planar_3r(1.0, 0.5, 0.25).with_limits(velocity=[1.0, 2.0, None]).limits.velocity
             array([ 1.,  2., inf])
         """
-        return Arm(with_limits(self._description, position=position, velocity=velocity, acceleration=acceleration,
-                               torque=torque))
+        return Arm(
+            with_limits(
+                self._description, position=position, velocity=velocity, acceleration=acceleration, torque=torque
+            )
+        )
 
     @classmethod
     def from_dh(cls, rows: Iterable[Sequence[Any]], **options: Any) -> Arm:
@@ -147,6 +161,9 @@ class Arm:
             array([0.5, 0. , 0.4])
         """
         return cls(dh.from_dh(rows, **options))
+
+    def __reduce__(self) -> tuple[type[Arm], tuple[Description]]:
+        return Arm, (self._description,)  # copies and other processes find the functions anew
 
     def __repr__(self) -> str:
         return f"<Arm {self.name}: {self.n} joints ({self.kinds})>"
@@ -199,6 +216,8 @@ class Arm:
         evaluator = self._evaluators.get(group, name)
         if evaluator is None:
             raise self._missing(name)
+        if self._parameters and getattr(q, "dtype", None) == np.float32:
+            return evaluator(q, *self._single_parameters, out=out)  # float32 in, float32 out
         return evaluator(q, *self._parameters, out=out)
 
     def _task(self, task: str | None) -> str:
@@ -211,8 +230,10 @@ class Arm:
     def _task_group(self, task: str | None) -> str:
         task = self._task(task)
         if self.tasks[task] > self.n:
-            raise InputError(f"{self.name}: the task '{task}' has {self.tasks[task]} rows for {self.n} joints, so its "
-                             "Jacobian has no maximal minors; a task with no more rows than joints is accepted")
+            raise InputError(
+                f"{self.name}: the task '{task}' has {self.tasks[task]} rows for {self.n} joints, so its "
+                "Jacobian has no maximal minors; a task with no more rows than joints is accepted"
+            )
         return task
 
     def _missing(self, name: str) -> InputError:
@@ -223,8 +244,11 @@ class Arm:
         elif kind == "null_vector":
             why = f"it needs one joint more than the task has rows, and this is {self.n} joints for {rows} rows"
         elif kind == "null_projector":
-            why = (f"{self.n} joints leave no null space to {rows} rows" if self.n <= rows
-                   else "it is generated for arms of up to 16 joints")
+            why = (
+                f"{self.n} joints leave no null space to {rows} rows"
+                if self.n <= rows
+                else "it is generated for arms of up to 16 joints"
+            )
         return InputError(f"{self.name}, {kind} of the task '{task}': {why}")
 
     # ---- kinematics --------------------------------------------------------------------------------------------
@@ -250,7 +274,9 @@ class Arm:
         result: Array = self._call("kinematics", f"jacobian_{self._task(task)}", q, out)
         return result
 
-    def kinematics(self, q: Any, *, task: str | None = None, out: tuple[Array, Array] | None = None) -> tuple[Array, Array]:
+    def kinematics(
+        self, q: Any, *, task: str | None = None, out: tuple[Array, Array] | None = None
+    ) -> tuple[Array, Array]:
         """Position (task "position") or pose (other tasks), and the task Jacobian, in one evaluation."""
         result: tuple[Array, Array] = self._call("kinematics", f"kinematics_{self._task(task)}", q, out)
         return result
@@ -279,8 +305,9 @@ class Arm:
         result: Array = self._call(task, f"manipulability_{task}", q, out)
         return result
 
-    def manipulability_gradient(self, q: Any, *, task: str | None = None, criterion: str = "H",
-                                out: Array | None = None) -> Array:
+    def manipulability_gradient(
+        self, q: Any, *, task: str | None = None, criterion: str = "H", out: Array | None = None
+    ) -> Array:
         """Gradient with respect to q, (..., n), of a criterion: ``"H"``, ``"1/H"`` or ``"H^(-1/2)"``.
 
         At H = 0 (within the smallest numbers of the type) no gradient exists; the answer there is the zero vector for
@@ -354,8 +381,9 @@ def planar_3r(l1: float, l2: float, l3: float) -> Arm:
     return Arm(families.planar_3r(l1, l2, l3))
 
 
-def planar(kinds: str | Sequence[str], lengths: Sequence[float], headings: Sequence[float] | None = None,
-           **options: Any) -> Arm:
+def planar(
+    kinds: str | Sequence[str], lengths: Sequence[float], headings: Sequence[float] | None = None, **options: Any
+) -> Arm:
     """A planar chain of revolute ("R") and prismatic ("P") joints.
 
     R turns the heading by theta_i, then advances l_i; P turns it by heading_i, then advances l_i + theta_i.

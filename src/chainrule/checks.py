@@ -20,8 +20,8 @@ from chainrule.search import samples
 Array = NDArray[Any]
 Progress = Callable[[str], None]
 
-#: Configurations compared at 40 digits, and compared in double precision.
-FEW, MANY = 8, 1000
+#: Configurations compared at 40 digits (fewer for long arms), and compared in double precision.
+FEW, LONG, MANY = 8, 12, 1000
 #: Bound of each relative error: some hundreds of roundings of a double (2.2e-16), of a float (1.2e-7).
 DOUBLE, SINGLE = 1e-12, 2e-4
 
@@ -49,8 +49,13 @@ class Check:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values."""
-        return {"what": self.what, "configurations": self.count, "worst": self.worst, "bound": self.bound,
-                "passed": self.passed}
+        return {
+            "what": self.what,
+            "configurations": self.count,
+            "worst": self.worst,
+            "bound": self.bound,
+            "passed": self.passed,
+        }
 
 
 def checks(arm: Arm, progress: Progress = lambda line: None) -> tuple[Check, ...]:
@@ -63,13 +68,22 @@ def checks(arm: Arm, progress: Progress = lambda line: None) -> tuple[Check, ...
     """
     found = []
     for name, make in (
-        ("compiled code against the symbolic programs", _against_symbols), ("Jacobian against the pose", _derivative),
-        ("gradient against H", _gradient), ("rotations", _rotations), ("minors", _minors),
-        ("manipulability", _singular_values), ("null vectors", _null), ("single precision", _single),
+        ("compiled code against the symbolic programs", _against_symbols),
+        ("Jacobian against the pose", _derivative),
+        ("gradient against H", _gradient),
+        ("rotations", _rotations),
+        ("minors", _minors),
+        ("manipulability", _singular_values),
+        ("null vectors", _null),
+        ("single precision", _single),
     ):
         progress(f"checking {name}")
         found += make(arm)
     return tuple(found)
+
+
+def _few(arm: Arm) -> int:
+    return FEW if arm.n <= LONG else 2
 
 
 def _programs(arm: Arm) -> list[tuple[str, Any]]:
@@ -99,7 +113,7 @@ def _relative(found: Array, expected: Array) -> float:
 
 
 def _against_symbols(arm: Arm) -> list[Check]:
-    q = samples(arm, FEW, seed=11)
+    q = samples(arm, _few(arm), seed=11)
     worst, count = 0.0, 0
     for _, program in _programs(arm):
         results = arm.evaluator(program.name)(q, *([arm.parameters] if arm.parameters.size else []))
@@ -107,9 +121,9 @@ def _against_symbols(arm: Arm) -> list[Check]:
         truths = [_exact(arm, program, row) for row in q]
         for output, result in zip(program.outputs, results, strict=True):
             truth = np.array([[float(x) for x in exact[output.name]] for exact in truths])
-            worst = max(worst, _relative(np.asarray(result).reshape(FEW, -1), truth))
+            worst = max(worst, _relative(np.asarray(result).reshape(len(q), -1), truth))
         count += 1
-    return [Check(f"{count} compiled functions against their symbolic programs at 40 digits", FEW, worst, DOUBLE)]
+    return [Check(f"{count} compiled functions against their symbolic programs at 40 digits", len(q), worst, DOUBLE)]
 
 
 def _derivative(arm: Arm) -> list[Check]:
@@ -117,7 +131,7 @@ def _derivative(arm: Arm) -> list[Check]:
     import mpmath
 
     program = next(p for _, p in _programs(arm) if p.name == "pose")
-    q = samples(arm, FEW, seed=12)
+    q = samples(arm, _few(arm), seed=12)
     found = np.asarray(arm.jacobian(q, task="pose"))
     expected = np.zeros_like(found)
     side = 3 if found.shape[1] == 3 else 4
@@ -136,15 +150,21 @@ def _derivative(arm: Arm) -> list[Check]:
                 spin = rate[:turn, :turn] * centre[:turn, :turn].T
                 angular = [spin[1, 0]] if side == 3 else [spin[2, 1], spin[0, 2], spin[1, 0]]
                 expected[row, :, j] = [float(x) for x in [*(rate[k, turn] for k in range(turn)), *angular]]
-    return [Check("Jacobian against the differentiated pose (differences at 50 digits)", FEW,
-                  _relative(found, expected), DOUBLE)]
+    return [
+        Check(
+            "Jacobian against the differentiated pose (differences at 50 digits)",
+            len(q),
+            _relative(found, expected),
+            DOUBLE,
+        )
+    ]
 
 
 def _square(entries: list[Any], side: int) -> Any:
     """Entries, row by row, as an mpmath matrix."""
     import mpmath
 
-    return mpmath.matrix([entries[k * side:(k + 1) * side] for k in range(side)])
+    return mpmath.matrix([entries[k * side : (k + 1) * side] for k in range(side)])
 
 
 def _gradient(arm: Arm) -> list[Check]:
@@ -155,7 +175,7 @@ def _gradient(arm: Arm) -> list[Check]:
     for group, program in _programs(arm):
         if program.name != f"manipulability_{group}":
             continue
-        q = samples(arm, FEW, seed=13)
+        q = samples(arm, _few(arm), seed=13)
         gradient = np.asarray(arm.manipulability_gradient(q, task=group))
         expected = np.zeros_like(gradient)
         with mpmath.workdps(50):
@@ -168,8 +188,9 @@ def _gradient(arm: Arm) -> list[Check]:
                         shifted[j] += sign * step
                         ends.append(_exact(arm, program, shifted)["manipulability"][0])
                     expected[row, j] = float((ends[0] - ends[1]) / (2 * step))
-        found.append(Check(f"gradient of H against the differentiated H ({group})", FEW,
-                           _relative(gradient, expected), 1e-10))
+        found.append(
+            Check(f"gradient of H against the differentiated H ({group})", len(q), _relative(gradient, expected), 1e-10)
+        )
     return found
 
 
@@ -191,10 +212,17 @@ def _minors(arm: Arm) -> list[Check]:
         jacobian = np.asarray(arm.jacobian(q, task=task))
         columns = list(combinations(range(arm.n), jacobian.shape[1]))
         expected = np.stack([np.linalg.det(jacobian[:, :, list(c)]) for c in columns], axis=1)
-        scale = np.prod(np.sort(np.linalg.norm(jacobian, axis=1), axis=1)[:, -jacobian.shape[1]:], axis=1)
+        scale = np.prod(np.sort(np.linalg.norm(jacobian, axis=1), axis=1)[:, -jacobian.shape[1] :], axis=1)
         error = np.abs(np.asarray(arm.minors(q, task=task)) - expected).max(axis=1) / np.maximum(scale, 1e-300)
         label = "the determinant" if len(columns) == 1 else f"{len(columns)} maximal minors"
-        found.append(Check(f"{label} against NumPy's, of the Jacobian's columns ({task}); relative to their lengths", len(q), float(error.max()), DOUBLE))
+        found.append(
+            Check(
+                f"{label} against NumPy's, of the Jacobian's columns ({task}); relative to their lengths",
+                len(q),
+                float(error.max()),
+                DOUBLE,
+            )
+        )
     return found
 
 
@@ -206,8 +234,14 @@ def _singular_values(arm: Arm) -> list[Check]:
         expected = values.prod(axis=1)
         scale = values[:, 0] ** values.shape[1]
         error = np.abs(np.asarray(arm.manipulability(q, task=task)) - expected) / np.maximum(scale, 1e-300)
-        found.append(Check(f"H against the product of the Jacobian's singular values ({task}), relative to the largest",
-                           MANY, float(error.max()), DOUBLE))
+        found.append(
+            Check(
+                f"H against the product of the Jacobian's singular values ({task}), relative to the largest",
+                MANY,
+                float(error.max()),
+                DOUBLE,
+            )
+        )
     return found
 
 

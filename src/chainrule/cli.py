@@ -25,19 +25,33 @@ if TYPE_CHECKING:
     from chainrule.tables import Table
 
 app = typer.Typer(
-    name="chainrule", no_args_is_help=True, add_completion=False, rich_markup_mode=None,
+    name="chainrule",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
     help="Derives what is true of a robot arm, writes it as fast code, and answers questions with it.\n\n"
-         "Example: chainrule report panda -o panda.html")
+    "Example: chainrule report panda -o panda.html",
+)
 
-ArmName = Annotated[str, typer.Argument(metavar="ARM", help="An embedded arm's name, or the path of a .toml or .urdf file.")]
+ArmName = Annotated[
+    str, typer.Argument(metavar="ARM", help="An embedded arm's name, or the path of a .toml or .urdf file.")
+]
 Tip = Annotated[str | None, typer.Option(help="URDF: the link at the end of the chain.")]
 Base = Annotated[str | None, typer.Option(help="URDF: the link at its start; the root when left out.")]
 Json = Annotated[bool, typer.Option("--json", help="Write JSON to standard output.")]
 Task = Annotated[str | None, typer.Option(help="The task: position, pose or x_alpha; the arm's own when left out.")]
 
 #: Functions of an arm that ``eval`` offers, and whether they take a task.
-FUNCTIONS = {"position": False, "pose": False, "jacobian": True, "minors": True, "manipulability": True,
-             "manipulability-gradient": True, "null-vector": True, "null-projector": True}
+FUNCTIONS = {
+    "position": False,
+    "pose": False,
+    "jacobian": True,
+    "minors": True,
+    "manipulability": True,
+    "manipulability-gradient": True,
+    "null-vector": True,
+    "null-projector": True,
+}
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 
@@ -71,11 +85,22 @@ def show(arm: ArmName, tip: Tip = None, base: Base = None, as_json: Json = False
     with _progress() as progress:
         loaded.prepare(progress)
     tool = tables.tool(loaded.description)
-    listed = {"geometry": tables.geometry(loaded.description), "tool": [tool] if tool else [],
-              "joints": [tables.joints(loaded)], "tasks": [tables.tasks(loaded)], "functions": [tables.functions(loaded)]}
+    listed = {
+        "geometry": tables.geometry(loaded.description),
+        "tool": [tool] if tool else [],
+        "joints": [tables.joints(loaded)],
+        "tasks": [tables.tasks(loaded)],
+        "functions": [tables.functions(loaded)],
+    }
     if as_json:
-        _print_json({"name": loaded.name, "kinds": loaded.kinds, "source": loaded.description.source,
-                     **{key: [row for table in found for row in table.to_dict()] for key, found in listed.items()}})
+        _print_json(
+            {
+                "name": loaded.name,
+                "kinds": loaded.kinds,
+                "source": loaded.description.source,
+                **{key: [row for table in found for row in table.to_dict()] for key, found in listed.items()},
+            }
+        )
         return
     _say(f"{loaded.name}: {loaded.n} joints ({loaded.kinds})")
     _say(f"source: {tables.printable(loaded.description.source) or 'not given'}")
@@ -88,11 +113,19 @@ def show(arm: ArmName, tip: Tip = None, base: Base = None, as_json: Json = False
 def evaluate(
     arm: ArmName,
     function: Annotated[str, typer.Argument(metavar="FUNCTION", help="One of: " + ", ".join(FUNCTIONS) + ".")],
-    q: Annotated[list[str], typer.Option("--q", help="The joint values, separated by commas or spaces: rad, and m for "
-                                                     "prismatic joints. Repeat it for several configurations.")],
+    q: Annotated[
+        list[str],
+        typer.Option(
+            "--q",
+            help="The joint values, separated by commas or spaces: rad, and m for "
+            "prismatic joints. Repeat it for several configurations.",
+        ),
+    ],
     task: Task = None,
     deg: Annotated[bool, typer.Option("--deg", help="Angles in --q are degrees.")] = False,
-    tip: Tip = None, base: Base = None, as_json: Json = False,
+    tip: Tip = None,
+    base: Base = None,
+    as_json: Json = False,
 ) -> None:
     """Evaluate one function of an arm.
 
@@ -116,8 +149,16 @@ def evaluate(
         progress(f"evaluating {name}")
         result = np.asarray(method(given[0] if single else given, **options))
     if as_json:
-        _print_json({"arm": loaded.name, "function": name, "task": task or (loaded.default_task if FUNCTIONS[name] else None),
-                     "q": (given[0] if single else given).tolist(), "shape": list(result.shape), "result": _finite(result)})
+        _print_json(
+            {
+                "arm": loaded.name,
+                "function": name,
+                "task": task or (loaded.default_task if FUNCTIONS[name] else None),
+                "q": (given[0] if single else given).tolist(),
+                "shape": list(result.shape),
+                "result": _finite(result),
+            }
+        )
         return
     with np.printoptions(precision=12, suppress=False, linewidth=200, threshold=sys.maxsize):
         _say(str(result))
@@ -128,7 +169,9 @@ def generate(
     arm: ArmName,
     output: Annotated[Path, typer.Option("--output", "-o", help="The folder to write; made if needed.")],
     targets: Annotated[str, typer.Option(help="What to write: c, python, or both separated by a comma.")] = "c,python",
-    tip: Tip = None, base: Base = None, as_json: Json = False,
+    tip: Tip = None,
+    base: Base = None,
+    as_json: Json = False,
 ) -> None:
     """Write an arm's functions as code that stands alone.
 
@@ -149,9 +192,13 @@ def generate(
 @app.command()
 def report(
     arm: ArmName,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="The HTML file; ARM's name when left out.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="The HTML file; ARM's name when left out.")
+    ] = None,
     show_it: Annotated[bool, typer.Option("--open", help="Open it in the browser.")] = False,
-    tip: Tip = None, base: Base = None, as_json: Json = False,
+    tip: Tip = None,
+    base: Base = None,
+    as_json: Json = False,
 ) -> None:
     """Write the report of an arm: one HTML page with its formulas, figures, workspace and checks.
 
@@ -183,7 +230,9 @@ def report(
 
 @app.command()
 def reproduce(
-    paper: Annotated[str | None, typer.Argument(metavar="[PAPER]", help="Which paper; all of them when left out.")] = None,
+    paper: Annotated[
+        str | None, typer.Argument(metavar="[PAPER]", help="Which paper; all of them when left out.")
+    ] = None,
     as_json: Json = False,
 ) -> None:
     """Recompute what a paper prints: quantity, paper, ours, difference, verdict.
@@ -199,9 +248,19 @@ def reproduce(
         found = {key: recompute(key, progress) for key in ([paper] if paper is not None else PAPERS)}
     good = all(row.good for rows in found.values() for row in rows)
     if as_json:
-        _print_json({"agrees": good, "papers": {
-            key: {"citation": PAPERS[key].citation, "scope": PAPERS[key].scope, "rows": [row.to_dict() for row in rows]}
-            for key, rows in found.items()}})
+        _print_json(
+            {
+                "agrees": good,
+                "papers": {
+                    key: {
+                        "citation": PAPERS[key].citation,
+                        "scope": PAPERS[key].scope,
+                        "rows": [row.to_dict() for row in rows],
+                    }
+                    for key, rows in found.items()
+                },
+            }
+        )
     else:
         for key, rows in found.items():
             _print_paper(key, rows)
@@ -218,8 +277,11 @@ def _version(wanted: bool) -> None:
 
 
 @app.callback()
-def _options(version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True,
-                                                   help="Print the version.")] = False) -> None:
+def _options(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
+    ] = False,
+) -> None:
     """Shared options."""
 
 
@@ -305,8 +367,10 @@ def _print_paper(key: str, rows: Sequence[Any]) -> None:
     paper = PAPERS[key]
     _say(f"{paper.citation}: {paper.scope}")
     columns = tuple(Column(name, name) for name in ("where", "quantity", "paper", "ours", "difference", "verdict"))
-    shown_rows = tuple((r.where, r.quantity, r.paper, r.ours,
-                        "" if r.difference is None else f"{r.difference:.2g}", r.verdict) for r in rows)
+    shown_rows = tuple(
+        (r.where, r.quantity, r.paper, r.ours, "" if r.difference is None else f"{r.difference:.2g}", r.verdict)
+        for r in rows
+    )
     _print_table(Table("", columns, shown_rows))
     for row in rows:
         if row.note:
@@ -340,7 +404,9 @@ def run(arguments: Sequence[str] | None = None) -> int:
     warnings.showwarning = _warn
     command = typer.main.get_command(app)
     try:
-        code = command.main(args=None if arguments is None else list(arguments), prog_name="chainrule", standalone_mode=False)
+        code = command.main(
+            args=None if arguments is None else list(arguments), prog_name="chainrule", standalone_mode=False
+        )
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
     except (InputError, GenerationError) as error:

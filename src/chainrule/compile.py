@@ -170,8 +170,12 @@ def _cached(model: Model, group: str) -> Built | None:
 def _entry(folder: Path, model: Model, group: str) -> Built | None:
     """A cache entry, if nobody else could have written it and all of it is as it was made."""
     try:
-        record = json.loads((folder / "entry.json").read_text("utf-8"))
-        if record["model"] != model.digest or record["group"] != group or not _ours(folder):
+        entry = folder / "entry.json"
+        written = json.loads(entry.read_text("utf-8"))
+        record = written["record"]
+        if written["digest"] != _digest_of_record(record) or not _ours(folder) or not _ours(entry):
+            return None
+        if record["model"] != model.digest or record["group"] != group:
             return None
         for name, digest in record["files"].items():
             path = folder / name
@@ -181,11 +185,17 @@ def _entry(folder: Path, model: Model, group: str) -> Built | None:
                 return None
         name = f"{model.name}_{group}"
         library = folder / record["library"] if record["library"] else None
+        if library is not None and library.name not in record["files"]:
+            return None
         if library is None and compiler() is not None:
             return None  # made where there was no compiler: now there is one
         return Built(name, model.name, record["functions"], folder / f"{name}.py", library)
     except (OSError, ValueError, KeyError, TypeError, AttributeError):
         return None
+
+
+def _digest_of_record(record: Any) -> str:
+    return hashlib.sha256(json.dumps(record, sort_keys=True).encode()).hexdigest()
 
 
 def _ours(path: Path) -> bool:
@@ -205,7 +215,9 @@ def _make(model: Model, group: str, progress: Progress) -> Built:
         root.mkdir(parents=True, exist_ok=True)
         work = Path(tempfile.mkdtemp(dir=root, prefix=".making-"))
     except OSError as error:
-        raise GenerationError(f"the cache folder {root} cannot be written ({error.strerror}); set {CACHE_VARIABLE}") from None
+        raise GenerationError(
+            f"the cache folder {root} cannot be written ({error.strerror}); set {CACHE_VARIABLE}"
+        ) from None
     try:
         work.chmod(0o700)
         for file, text in files.items():
@@ -215,9 +227,15 @@ def _make(model: Model, group: str, progress: Progress) -> Built:
         contents = {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in work.iterdir() if p.suffix != ".o"}
         for leftover in work.glob("*.o"):
             leftover.unlink()
-        record = {"model": model.digest, "group": group, "files": contents, "functions": functions,
-                  "library": library.name if library else None}
-        (work / "entry.json").write_text(json.dumps(record), "utf-8")
+        record = {
+            "model": model.digest,
+            "group": group,
+            "files": contents,
+            "functions": functions,
+            "library": library.name if library else None,
+        }
+        written = {"record": record, "digest": _digest_of_record(record)}
+        (work / "entry.json").write_text(json.dumps(written), "utf-8")
         for path in work.iterdir():
             path.chmod(0o600)
         return _publish(work, root / _key(model, group), model, group)
@@ -240,8 +258,9 @@ def _publish(work: Path, final: Path, model: Model, group: str) -> Built:
             except FileNotFoundError:
                 pass
             except OSError as error:
-                raise GenerationError(f"the cache entry {final} is not usable and cannot be replaced ({error.strerror})"
-                                      ) from None
+                raise GenerationError(
+                    f"the cache entry {final} is not usable and cannot be replaced ({error.strerror})"
+                ) from None
             finally:
                 shutil.rmtree(aside, ignore_errors=True)
             continue
@@ -269,27 +288,46 @@ def compile_unit(folder: Path, name: str) -> Path | None:
     """
     command = compiler()
     if command is None:
-        warnings.warn("no C compiler was found (set CC): using the generated NumPy code, which is slower",
-                      NoCompilerWarning, stacklevel=2)
+        warnings.warn(
+            "no C compiler was found (set CC): using the generated NumPy code, which is slower",
+            NoCompilerWarning,
+            stacklevel=2,
+        )
         return None
     flags = ["-std=c99", "-fPIC", *_flags()["common"], *_flags()[instruction_set()]]
     library = folder / f"{name}.so"
     jobs = []
     for kind, define in (("double", []), ("float", ["-DCHAINRULE_FLOAT"])):
         target = folder / f"{name}.{kind}.o"
-        jobs.append((target, subprocess.Popen([*command, *flags, *define, "-c", str(folder / f"{name}.c"), "-o", str(target)],
-                                              stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)))
+        jobs.append(
+            (
+                target,
+                subprocess.Popen(
+                    [*command, *flags, *define, "-c", str(folder / f"{name}.c"), "-o", str(target)],
+                    stdout=subprocess.DEVNULL,
+                    stderr=subprocess.PIPE,
+                    text=True,
+                ),
+            )
+        )
     errors = [process.communicate()[1] for _, process in jobs]
     for (_, process), error in zip(jobs, errors, strict=True):
         if process.returncode != 0:
             raise GenerationError(_compiler_said(command, error))
-    link = subprocess.run([*command, "-shared", *(str(target) for target, _ in jobs), "-o", str(library), "-lm"],
-                          capture_output=True, text=True, check=False)
+    link = subprocess.run(
+        [*command, "-shared", *(str(target) for target, _ in jobs), "-o", str(library), "-lm"],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     if link.returncode != 0:
         raise GenerationError(_compiler_said(command, link.stderr))
     return library
 
 
 def _compiler_said(command: list[str], errors: str) -> str:
-    first = next((line for line in errors.splitlines() if "error" in line), errors.strip().splitlines()[0] if errors.strip() else "no message")
+    first = next(
+        (line for line in errors.splitlines() if "error" in line),
+        errors.strip().splitlines()[0] if errors.strip() else "no message",
+    )
     return f"the C compiler '{command[0]}' failed: {first.strip()}"

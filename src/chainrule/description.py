@@ -81,12 +81,9 @@ class Transform:
     def __matmul__(self, other: Transform) -> Transform:
         """Composition: ``(a @ b)`` applies ``b`` in the frame that ``a`` leads to."""
         a, b = self.rotation, other.rotation
-        rotation = tuple(
-            tuple(math.fsum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)) for i in range(3)
-        )
+        rotation = tuple(tuple(math.fsum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)) for i in range(3))
         translation = tuple(
-            math.fsum([*(a[i][k] * other.translation[k] for k in range(3)), self.translation[i]])
-            for i in range(3)
+            math.fsum([*(a[i][k] * other.translation[k] for k in range(3)), self.translation[i]]) for i in range(3)
         )
         return Transform(rotation, translation)  # type: ignore[arg-type]
 

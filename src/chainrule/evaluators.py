@@ -73,7 +73,9 @@ class Evaluator:
         try:
             ready = [_real(array) for array in arrays]
         except ValueError:
-            raise InputError(f"{self.name}: a ragged nested sequence was given; arrays of real numbers are accepted") from None
+            raise InputError(
+                f"{self.name}: a ragged nested sequence was given; arrays of real numbers are accepted"
+            ) from None
         try:
             if len(ready) != len(self.inputs):
                 raise ValueError("wrong number of inputs")
@@ -90,8 +92,10 @@ class Evaluator:
         for array, (name, shape) in zip(arrays, self.inputs, strict=True):
             if array.dtype.kind != "f":
                 return InputError(f"{self.name}: {name} has type {array.dtype}; real numbers are accepted")
-            if array.shape[-len(shape):] != shape or array.ndim < len(shape):
-                return InputError(f"{self.name}: {name} has shape {array.shape}; (..., {', '.join(map(str, shape))}) is accepted")
+            if array.shape[-len(shape) :] != shape or array.ndim < len(shape):
+                return InputError(
+                    f"{self.name}: {name} has shape {array.shape}; (..., {', '.join(map(str, shape))}) is accepted"
+                )
             leading.append(array.shape[: array.ndim - len(shape)])
         try:
             lead = np.broadcast_shapes(*leading)
@@ -99,7 +103,9 @@ class Evaluator:
             return InputError(f"{self.name}: the leading axes {leading} do not broadcast together")
         if out is not None:
             wanted = ", ".join(f"{name} {lead + shape}" for name, shape in self.outputs)
-            return InputError(f"{self.name}: out does not fit; a writable float array (or a tuple of them) of {wanted} is accepted")
+            return InputError(
+                f"{self.name}: out does not fit; a writable float array (or a tuple of them) of {wanted} is accepted"
+            )
         return InputError(f"{self.name}: {error}")
 
     def bind(self, *arrays: Array) -> Callable[[], None]:
@@ -120,14 +126,22 @@ class Evaluator:
         if kind not in (np.float64, np.float32):
             raise InputError(f"{self.name}: bind takes NumPy arrays, all float64 or all float32")
         for k, (array, (name, shape)) in enumerate(zip(arrays, ports, strict=True)):
-            if not isinstance(array, np.ndarray) or array.dtype != kind or array.shape != shape or not array.flags.aligned:
+            if (
+                not isinstance(array, np.ndarray)
+                or array.dtype != kind
+                or array.shape != shape
+                or not array.flags.aligned
+            ):
                 raise InputError(f"{self.name}: bind needs {name} as an aligned {kind} array of shape {shape}")
             if k >= len(self.inputs) and not array.flags.writeable:
                 raise InputError(f"{self.name}: bind cannot write {name}, which is read-only")
         if not self.compiled:
-            inputs, outputs = arrays[: len(self.inputs)], arrays[len(self.inputs):]
-            target: Any = outputs if len(outputs) > 1 else outputs[0]
-            return lambda: self.function(*inputs, out=target) and None
+            inputs, outputs = arrays[: len(self.inputs)], arrays[len(self.inputs) :]
+
+            def evaluate() -> None:
+                self.function(*inputs, out=outputs)
+
+            return evaluate
         from chainrule import _gufunc
 
         bound: Callable[[], None] = _gufunc.bind(self._addresses[kind == np.float32], tuple(arrays), self._owner)
@@ -183,10 +197,21 @@ def _from_library(name: str, spec: Mapping[str, Any], prefix: str, library: ctyp
     addresses = tuple(
         ctypes.cast(getattr(library, symbol + suffix), ctypes.c_void_p).value or 0 for suffix in ("", "f")
     )
-    signature = "->".join(",".join(f"({','.join(map(str, shape))})" for _, shape in ports) for ports in (inputs, outputs))
+    signature = "->".join(
+        ",".join(f"({','.join(map(str, shape))})" for _, shape in ports) for ports in (inputs, outputs)
+    )
     function = _gufunc.make(name, spec["summary"], signature, len(inputs), len(outputs), *addresses, library)
-    return Evaluator(name, spec["summary"], inputs, outputs, int(spec["operations"]), True, function,
-                     (addresses[0], addresses[1]), library)
+    return Evaluator(
+        name,
+        spec["summary"],
+        inputs,
+        outputs,
+        int(spec["operations"]),
+        True,
+        function,
+        (addresses[0], addresses[1]),
+        library,
+    )
 
 
 def _from_numpy(name: str, spec: Mapping[str, Any], code: Callable[..., Any]) -> Evaluator:
@@ -194,7 +219,7 @@ def _from_numpy(name: str, spec: Mapping[str, Any], code: Callable[..., Any]) ->
 
     def function(*arrays: Array, out: Any = None) -> Any:
         for array, (_, shape) in zip(arrays, inputs, strict=True):
-            if array.dtype.kind != "f" or array.shape[-len(shape):] != shape:
+            if array.dtype.kind != "f" or array.shape[-len(shape) :] != shape:
                 raise ValueError("wrong input")
         with np.errstate(all="ignore"):  # as the kernels: inf and nan are answers, not events
             results = code(*arrays)
@@ -203,14 +228,25 @@ def _from_numpy(name: str, spec: Mapping[str, Any], code: Callable[..., Any]) ->
             ready = tuple(result[()] for result in results)
         else:
             targets = out if isinstance(out, tuple) else (out,)
-            for target, result in zip(targets, results, strict=True):
-                if target.shape != result.shape:
-                    raise ValueError("wrong out")
-                target[...] = result
-            ready = targets
+            ready = tuple(_stored(result, target) for result, target in zip(results, targets, strict=True))
         return ready if len(ready) > 1 else ready[0]
 
     return Evaluator(name, spec["summary"], inputs, outputs, int(spec["operations"]), False, function)
+
+
+def _stored(result: Array, target: Any) -> Any:
+    """The result, or ``target`` with the result in it, under the rules of NumPy's universal functions."""
+    if target is None:
+        return result[()]
+    if not (
+        isinstance(target, np.ndarray)
+        and target.shape == result.shape
+        and target.flags.writeable
+        and np.can_cast(result.dtype, target.dtype, "same_kind")
+    ):
+        raise ValueError("wrong out")
+    target[...] = result
+    return target
 
 
 def _module(name: str, path: Path) -> ModuleType:

@@ -37,6 +37,11 @@ class Unit:
     text: str
     mixed: bool = False
 
+    @property
+    def suffix(self) -> str:
+        """What is written after a number: a space and the unit, or nothing for a pure or mixed number."""
+        return "" if self.mixed or self.text == "1" else f" {self.text}"
+
 
 def unit(arm: Arm, task: str | None = None) -> Unit:
     """The unit of H, from the task's rows and the joints' kinds.
@@ -69,8 +74,10 @@ def checked_task(arm: Arm, task: str | None) -> str:
     if task is None:
         task = arm.default_task if arm.default_task in known or not known else known[-1]
     if task not in known:
-        raise InputError(f"{arm.name}: no manipulability of a task '{task}'; {', '.join(known) or 'none'} can be had "
-                         f"with {arm.n} joints")
+        raise InputError(
+            f"{arm.name}: no manipulability of a task '{task}'; {', '.join(known) or 'none'} can be had "
+            f"with {arm.n} joints"
+        )
     return task
 
 
@@ -112,12 +119,15 @@ def min_manipulability(arm: Arm, task: str | None = None) -> Found:
         InputError: a task with more rows than joints.
     """
     task = checked_task(arm, task)
-    found = maximise(arm, lambda q: -arm.manipulability(q, task=task), _downward(arm, task), moving=depends_on(arm, task))
+    found = maximise(
+        arm, lambda q: -arm.manipulability(q, task=task), _downward(arm, task), moving=depends_on(arm, task)
+    )
     return Found(float(arm.manipulability(found.q, task=task)), found.q, found.others)
 
 
 def _upward(arm: Arm, task: str) -> Slope:
     """H and its gradient."""
+
     def slope(q: Array) -> tuple[float, Array]:
         return float(arm.manipulability(q, task=task)), arm.manipulability_gradient(q, task=task)
 
@@ -126,6 +136,7 @@ def _upward(arm: Arm, task: str) -> Slope:
 
 def _downward(arm: Arm, task: str) -> Slope:
     """-H^2 and its gradient: smooth where H is zero."""
+
     def slope(q: Array) -> tuple[float, Array]:
         height = float(arm.manipulability(q, task=task))
         return -(height * height), -2.0 * height * arm.manipulability_gradient(q, task=task)
@@ -160,13 +171,19 @@ class ManipulabilityMap:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and lists, without the grid."""
-        return {"task": self.task, "joints": [j + 1 for j in self.joints], "q": self.q.tolist(),
-                "unit": self.unit.text, "maximum": {"H": self.maximum.value, "q": self.maximum.q.tolist()},
-                "minimum": {"H": self.minimum.value, "q": self.minimum.q.tolist()}}
+        return {
+            "task": self.task,
+            "joints": [j + 1 for j in self.joints],
+            "q": self.q.tolist(),
+            "unit": self.unit.text,
+            "maximum": {"H": self.maximum.value, "q": self.maximum.q.tolist()},
+            "minimum": {"H": self.minimum.value, "q": self.minimum.q.tolist()},
+        }
 
 
-def manipulability_map(arm: Arm, task: str | None = None, *, joints: tuple[int, int] | None = None,
-                       q: Any = None, size: int = 121) -> ManipulabilityMap:
+def manipulability_map(
+    arm: Arm, task: str | None = None, *, joints: tuple[int, int] | None = None, q: Any = None, size: int = 121
+) -> ManipulabilityMap:
     """H over a grid of two joints inside the joint limits, and the map's maximum (grid, then refined).
 
     Args:
@@ -200,7 +217,7 @@ def manipulability_map(arm: Arm, task: str | None = None, *, joints: tuple[int, 
 
 def _grid(arm: Arm, pair: tuple[int, int], posture: Array, size: int) -> tuple[Array, Array, Array]:
     ranges = box(arm)
-    first, second = (np.linspace(*ranges[j], size) for j in pair)
+    first, second = (np.linspace(ranges[j, 0], ranges[j, 1], size) for j in pair)
     grid = np.tile(posture, (size, size, 1))
     grid[..., pair[0]] = first[:, None]
     grid[..., pair[1]] = second[None, :]
@@ -211,7 +228,7 @@ def _peaks(height: Array, grid: Array) -> list[Array]:
     """Grid points not lower than their neighbours, the highest twelve."""
     padded = np.pad(height, 1, constant_values=-np.inf)
     rows, columns = height.shape
-    around = [padded[1 + i:1 + i + rows, 1 + j:1 + j + columns] for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
+    around = [padded[1 + i : 1 + i + rows, 1 + j : 1 + j + columns] for i in (-1, 0, 1) for j in (-1, 0, 1) if i or j]
     peaks = np.argwhere(height >= np.max(around, axis=0))  # never empty: the largest of all is among them
     peaks = peaks[np.argsort(-height[tuple(peaks.T)], kind="stable")[:12]]
     return [grid[tuple(peak)] for peak in peaks]
@@ -223,11 +240,15 @@ def liveliest_pair(arm: Arm, task: str, q: Array) -> tuple[int, int]:
         raise InputError(f"{arm.name}: one joint; a map over two joints needs two")
     live = depends_on(arm, task)
     if len(live) < 2:  # H is constant, or depends on one joint: any pair with it shows all there is
-        live = tuple(sorted({*live, *(j for j in range(arm.n - 1, -1, -1))})) if not live else (*live, *(
-            j for j in range(arm.n) if j not in live))
+        live = (
+            tuple(sorted({*live, *(j for j in range(arm.n - 1, -1, -1))}))
+            if not live
+            else (*live, *(j for j in range(arm.n) if j not in live))
+        )
         first, second = sorted(live[:2])
         return first, second
-    spread = {pair: float(arm.manipulability(_grid(arm, pair, q, 31)[2], task=task).std())
-              for pair in combinations(live, 2)}
+    spread = {
+        pair: float(arm.manipulability(_grid(arm, pair, q, 31)[2], task=task).std()) for pair in combinations(live, 2)
+    }
     top = max(spread.values())
     return next(pair for pair in spread if spread[pair] >= top * (1 - 1e-9))

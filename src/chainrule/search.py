@@ -68,9 +68,16 @@ def samples(arm: Arm, count: int = SAMPLES, seed: int = 0) -> Array:
     return np.random.default_rng(seed).uniform(ranges[:, 0], ranges[:, 1], (count, arm.n))
 
 
-def maximise(arm: Arm, values: Callable[[Array], Array], slope: Slope, *,
-             moving: Sequence[int] | None = None, at: Array | None = None, count: int = SAMPLES,
-             starts: int = STARTS) -> Found:
+def maximise(
+    arm: Arm,
+    values: Callable[[Array], Array],
+    slope: Slope,
+    *,
+    moving: Sequence[int] | None = None,
+    at: Array | None = None,
+    count: int = SAMPLES,
+    starts: int = STARTS,
+) -> Found:
     """The largest value met inside :func:`box`: ``count`` samples, the best ``starts`` of them refined (L-BFGS-B).
 
     Args:
@@ -96,20 +103,27 @@ def climb(slope: Slope, start: Array, free: Sequence[int], ranges: Array) -> Arr
     from scipy.optimize import minimize
 
     chosen, q = list(free), np.array(start, float)
+    if not chosen:
+        return q
 
     def downhill(part: Array) -> tuple[float, Array]:
         q[chosen] = part
         value, gradient = slope(q)
         return -value, -gradient[chosen]
 
-    result = minimize(downhill, q[chosen].copy(), jac=True, method="L-BFGS-B", bounds=ranges[chosen],
-                      options={"maxiter": 500, "ftol": 1e-16, "gtol": 1e-13})
+    result = minimize(
+        downhill,
+        q[chosen].copy(),
+        jac=True,
+        method="L-BFGS-B",
+        bounds=ranges[chosen],
+        options={"maxiter": 500, "ftol": 1e-16, "gtol": 1e-13},
+    )
     q[chosen] = result.x
     return q
 
 
-def best_of(arm: Arm, candidates: Sequence[Array], slope: Slope,
-            free: Sequence[int]) -> Found:
+def best_of(arm: Arm, candidates: Sequence[Array], slope: Slope, free: Sequence[int]) -> Found:
     """The best of several configurations; among equals the one whose moving joints come last in order."""
     turning = turns_freely(arm)
     wrapped = [np.where(turning, -np.remainder(np.pi - q, 2 * np.pi) + np.pi, q) for q in candidates]

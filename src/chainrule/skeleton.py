@@ -59,12 +59,18 @@ def skeleton(arm: Arm, q: Any) -> Skeleton:
             [p + symbolic.q[i] * z for p, z in zip(f.p, f.z, strict=True)] if arm.kinds[i] == "P" else f.p
             for i, f in enumerate(frames.joints)
         ]
-        vectors = {"points": moved, "axes": [f.z for f in frames.joints], "tip": [frames.tip.p],
-                   "frame": [frames.tip.x, frames.tip.y, frames.tip.z]}
+        vectors = {
+            "points": moved,
+            "axes": [f.z for f in frames.joints],
+            "tip": [frames.tip.p],
+            "frame": [frames.tip.x, frames.tip.y, frames.tip.z],
+        }
     import sympy as sp
 
-    outputs = tuple(Output(name, (len(rows), 3), tuple(sp.sympify(e) if isinstance(e, int) else e for row in rows
-                                                       for e in row)) for name, rows in vectors.items())
+    outputs = tuple(
+        Output(name, (len(rows), 3), tuple(sp.sympify(e) if isinstance(e, int) else e for row in rows for e in row))
+        for name, rows in vectors.items()
+    )
     program = needed(Program("skeleton", "", symbolic.inputs, tuple(steps.steps), outputs))
     given = {"q": [float(x) for x in q], "parameters": list(arm.description.model.parameters)}
     found = evaluate(program, given, digits=20)

@@ -109,11 +109,18 @@ def joints(arm: Arm) -> Table:
     limits: list[tuple[Column, list[Cell]]] = [
         (Column("lower", "lower", turning), [_bound(j.position, 0) for j in description.joints]),
         (Column("upper", "upper", turning), [_bound(j.position, 1) for j in description.joints]),
-        (Column("velocity", "velocity", "rad/s or m/s" if mixed else "rad/s"), [j.velocity for j in description.joints]),
-        (Column("acceleration", "acceleration", "rad/s² or m/s²" if mixed else "rad/s²"),
-         [j.acceleration for j in description.joints]),
-        (Column("torque", "force or torque" if mixed else "torque", "N or N m" if mixed else "N m"),
-         [j.torque for j in description.joints]),
+        (
+            Column("velocity", "velocity", "rad/s or m/s" if mixed else "rad/s"),
+            [j.velocity for j in description.joints],
+        ),
+        (
+            Column("acceleration", "acceleration", "rad/s² or m/s²" if mixed else "rad/s²"),
+            [j.acceleration for j in description.joints],
+        ),
+        (
+            Column("torque", "force or torque" if mixed else "torque", "N or N m" if mixed else "N m"),
+            [j.torque for j in description.joints],
+        ),
     ]
     for column, values in limits:
         if any(value is not None for value in values):
@@ -132,28 +139,46 @@ def geometry(description: Description) -> list[Table]:
     """The numbers of the geometry: a Denavit-Hartenberg table, fixed transforms, or the family's lengths."""
     shape = description.geometry
     if isinstance(shape, Planar):
-        rows = tuple(
-            (i, "turns, then advances" if kind == "R" else "turns by a constant, then advances and slides", length,
-             angle_deg(heading) if kind == "P" else None)
-            for i, (kind, length, heading) in enumerate(zip(description.kinds, shape.lengths, shape.headings,
-                                                            strict=True), 1))
-        columns: tuple[Column, ...] = (Column("joint", "joint"), Column("motion", "motion"),
-                                       Column("length", "length l", "m"), Column("heading", "heading", "deg"))
-        if "P" not in description.kinds:
-            columns, rows = columns[:-1], tuple(row[:-1] for row in rows)  # type: ignore[assignment]
+        motions = {"R": "turns, then advances", "P": "turns by a constant, then advances and slides"}
+        columns: tuple[Column, ...] = (
+            Column("joint", "joint"),
+            Column("motion", "motion"),
+            Column("length", "length l", "m"),
+        )
+        lines = zip(description.kinds, shape.lengths, strict=True)
+        rows: tuple[tuple[Cell, ...], ...] = tuple((i, motions[k], length) for i, (k, length) in enumerate(lines, 1))
+        if "P" in description.kinds:
+            columns += (Column("heading", "heading", "deg"),)
+            turns = (angle_deg(h) if k == "P" else None for k, h in zip(description.kinds, shape.headings, strict=True))
+            rows = tuple((*row, turn) for row, turn in zip(rows, turns, strict=True))
         return [Table("Planar chain", columns, rows)]
     if isinstance(shape, Orthogonal3R):
         lengths = tuple((name, getattr(shape, name)) for name in ("d2", "d3", "d4", "r2"))
-        family = Table("Orthogonal 3R family: lengths", (Column("name", "name"), Column("length", "length", "m")), lengths)
-        table = Table("Modified Denavit-Hartenberg table (Craig)", _DH_COLUMNS, (
-            (1, "revolute", 0.0, 0.0, 0.0, "q1"), (2, "revolute", -90.0, shape.d2, shape.r2, "q2"),
-            (3, "revolute", 90.0, shape.d3, 0.0, "q3"), ("tool", None, None, shape.d4, None, None)))
+        family = Table(
+            "Orthogonal 3R family: lengths", (Column("name", "name"), Column("length", "length", "m")), lengths
+        )
+        table = Table(
+            "Modified Denavit-Hartenberg table (Craig)",
+            _DH_COLUMNS,
+            (
+                (1, "revolute", 0.0, 0.0, 0.0, "q1"),
+                (2, "revolute", -90.0, shape.d2, shape.r2, "q2"),
+                (3, "revolute", 90.0, shape.d3, 0.0, "q3"),
+                ("tool", None, None, shape.d4, None, None),
+            ),
+        )
         return [family, table]
     return [_dh_table(shape)] if shape.table is not None else _transforms(description, shape)
 
 
-_DH_COLUMNS = (Column("joint", "joint"), Column("kind", "kind"), Column("alpha", "α", "deg"), Column("a", "a", "m"),
-               Column("d", "d", "m"), Column("theta", "θ", "deg"))
+_DH_COLUMNS = (
+    Column("joint", "joint"),
+    Column("kind", "kind"),
+    Column("alpha", "α", "deg"),
+    Column("a", "a", "m"),
+    Column("d", "d", "m"),
+    Column("theta", "θ", "deg"),
+)
 
 
 def _dh_table(shape: Serial) -> Table:
@@ -163,8 +188,11 @@ def _dh_table(shape: Serial) -> Table:
         theta: Cell = offset if row.kind == "P" else _offset(f"q{i}", offset)
         d: Cell = row.d if row.kind == "R" else _offset(f"q{i}", row.d)
         rows.append((i, kind_word(row.kind), angle_deg(row.alpha), row.a, d, theta))
-    name = "Modified Denavit-Hartenberg table (Craig)" if shape.convention == "modified" else (
-        "Standard Denavit-Hartenberg table")
+    name = (
+        "Modified Denavit-Hartenberg table (Craig)"
+        if shape.convention == "modified"
+        else ("Standard Denavit-Hartenberg table")
+    )
     return Table(name, _DH_COLUMNS, tuple(rows))
 
 
@@ -174,14 +202,26 @@ def _offset(symbol: str, offset: float) -> str:
     return f"{symbol} {'+' if offset > 0 else '−'} {readable(abs(offset))}"
 
 
-_TRANSFORM_COLUMNS = (Column("before", "before"), Column("x", "x", "m"), Column("y", "y", "m"), Column("z", "z", "m"),
-                      Column("roll", "roll", "deg"), Column("pitch", "pitch", "deg"), Column("yaw", "yaw", "deg"))
+_TRANSFORM_COLUMNS = (
+    Column("before", "before"),
+    Column("x", "x", "m"),
+    Column("y", "y", "m"),
+    Column("z", "z", "m"),
+    Column("roll", "roll", "deg"),
+    Column("pitch", "pitch", "deg"),
+    Column("yaw", "yaw", "deg"),
+)
 
 
 def _transforms(description: Description, shape: Serial) -> list[Table]:
     named = [*((j.name, t) for j, t in zip(description.joints, shape.placements, strict=True)), ("tool", shape.tool)]
-    return [Table("Fixed transform before each joint (roll, pitch, yaw about the fixed x, y, z)", _TRANSFORM_COLUMNS,
-                  tuple(transform_row(name, t) for name, t in named))]
+    return [
+        Table(
+            "Fixed transform before each joint (roll, pitch, yaw about the fixed x, y, z)",
+            _TRANSFORM_COLUMNS,
+            tuple(transform_row(name, t) for name, t in named),
+        )
+    ]
 
 
 def transform_row(name: str, transform: Transform) -> tuple[Cell, ...]:
@@ -207,15 +247,34 @@ def tool(description: Description) -> Table | None:
 def tasks(arm: Arm) -> Table:
     """The tasks: what is controlled, rows m, redundancy n - m, number of maximal minors."""
     planar = "x_alpha" in arm.tasks
-    what = {"position": "x, y" if planar else "x, y, z", "x_alpha": "x and heading α",
-            "pose": "x, y and heading α" if planar else "linear and angular velocity"}
+    what = {
+        "position": "x, y" if planar else "x, y, z",
+        "x_alpha": "x and heading α",
+        "pose": "x, y and heading α" if planar else "linear and angular velocity",
+    }
     rows = tuple(
-        (task, what[task], m, arm.n - m if arm.n >= m else None, math.comb(arm.n, m) if arm.n >= m else None,
-         task == arm.default_task)
-        for task, m in arm.tasks.items())
-    return Table("Tasks", (Column("task", "task"), Column("controls", "controls"), Column("rows", "rows m"),
-                           Column("redundancy", "redundancy n − m"), Column("minors", "maximal minors"),
-                           Column("default", "default")), rows)
+        (
+            task,
+            what[task],
+            m,
+            arm.n - m if arm.n >= m else None,
+            math.comb(arm.n, m) if arm.n >= m else None,
+            task == arm.default_task,
+        )
+        for task, m in arm.tasks.items()
+    )
+    return Table(
+        "Tasks",
+        (
+            Column("task", "task"),
+            Column("controls", "controls"),
+            Column("rows", "rows m"),
+            Column("redundancy", "redundancy n − m"),
+            Column("minors", "maximal minors"),
+            Column("default", "default"),
+        ),
+        rows,
+    )
 
 
 def functions(arm: Arm) -> Table:
@@ -230,14 +289,28 @@ def functions(arm: Arm) -> Table:
         built = compiling.find(arm.description.model, group)
         for name, spec in built.functions.items():
             outputs = ", ".join(_shape(port) for port in spec["outputs"])
-            rows.append((name, spec["summary"], outputs, int(spec["operations"]),
-                         "compiled C" if built.library is not None else "NumPy"))
-    return Table("Generated functions", (
-        Column("function", "function"), Column("summary", "what it computes"), Column("outputs", "outputs"),
-        Column("operations", "operations"), Column("code", "code")), tuple(rows))
+            rows.append(
+                (
+                    name,
+                    spec["summary"],
+                    outputs,
+                    int(spec["operations"]),
+                    "compiled C" if built.library is not None else "NumPy",
+                )
+            )
+    return Table(
+        "Generated functions",
+        (
+            Column("function", "function"),
+            Column("summary", "what it computes"),
+            Column("outputs", "outputs"),
+            Column("operations", "operations"),
+            Column("code", "code"),
+        ),
+        tuple(rows),
+    )
 
 
 def _shape(port: Any) -> str:
     name, extents = port
     return f"{name} ({' × '.join(map(str, extents))})" if extents else str(name)
-

@@ -112,10 +112,13 @@ class Reach:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and lists."""
-        return {"farthest": {"distance": self.farthest.value, "q": self.farthest.q.tolist()},
-                "nearest": {"distance": self.nearest.value, "q": self.nearest.q.tolist()},
-                "bound": self.bound if math.isfinite(self.bound) else None,
-                "lowest": self.lowest, "highest": self.highest}
+        return {
+            "farthest": {"distance": self.farthest.value, "q": self.farthest.q.tolist()},
+            "nearest": {"distance": self.nearest.value, "q": self.nearest.q.tolist()},
+            "bound": self.bound if math.isfinite(self.bound) else None,
+            "lowest": self.lowest,
+            "highest": self.highest,
+        }
 
 
 def reach(arm: Arm) -> Reach:
@@ -127,6 +130,7 @@ def reach(arm: Arm) -> Reach:
         >>> r.nearest.value < r.farthest.value <= r.bound
         True
     """
+
     def distances(q: Array) -> Array:
         found: Array = np.linalg.norm(arm.position(q), axis=-1)
         return found
@@ -143,8 +147,13 @@ def reach(arm: Arm) -> Reach:
     farthest = maximise(arm, distances, outward)
     nearest = maximise(arm, lambda q: -distances(q), inward)
     heights = arm.position(samples(arm))[:, -1]
-    return Reach(farthest, Found(math.sqrt(-nearest.value), nearest.q, nearest.others), reach_bound(arm),
-                 float(heights.min()), float(heights.max()))
+    return Reach(
+        farthest,
+        Found(math.sqrt(-nearest.value), nearest.q, nearest.others),
+        reach_bound(arm),
+        float(heights.min()),
+        float(heights.max()),
+    )
 
 
 def reach_bound(arm: Arm) -> float:
@@ -189,9 +198,12 @@ def _links(arm: Arm) -> list[tuple[Array, Array]]:
     """Fixed transforms between the joints and to the tip, as rotation and translation; z is each joint's axis."""
     geometry = arm.description.geometry
     if isinstance(geometry, Orthogonal3R):
-        placed = [Transform(), Transform.shift(geometry.d2, 0, 0) @ Transform.rot_x(-math.pi / 2)
-                  @ Transform.shift(0, 0, geometry.r2),
-                  Transform.shift(geometry.d3, 0, 0) @ Transform.rot_x(math.pi / 2), Transform.shift(geometry.d4, 0, 0)]
+        placed = [
+            Transform(),
+            Transform.shift(geometry.d2, 0, 0) @ Transform.rot_x(-math.pi / 2) @ Transform.shift(0, 0, geometry.r2),
+            Transform.shift(geometry.d3, 0, 0) @ Transform.rot_x(math.pi / 2),
+            Transform.shift(geometry.d4, 0, 0),
+        ]
     elif isinstance(geometry, Planar):
         return _planar_links(arm, geometry)
     else:

@@ -56,8 +56,16 @@ class Row:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values."""
-        return {"where": self.where, "quantity": self.quantity, "paper": self.paper, "ours": self.ours,
-                "difference": self.difference, "verdict": self.verdict, "how": self.how, "note": self.note}
+        return {
+            "where": self.where,
+            "quantity": self.quantity,
+            "paper": self.paper,
+            "ours": self.ours,
+            "difference": self.difference,
+            "verdict": self.verdict,
+            "how": self.how,
+            "note": self.note,
+        }
 
 
 @dataclass(frozen=True)
@@ -71,10 +79,17 @@ class Paper:
 
 
 #: The papers, by key.
-PAPERS: dict[str, Paper] = {paper.key: paper for paper in (
-    Paper("deluca", "A. De Luca, Robotics I, written exam of 11 January 2012, with solutions",
-          "exercise 1 and the bonus exercise", "chainrule.papers.deluca"),
-)}
+PAPERS: dict[str, Paper] = {
+    paper.key: paper
+    for paper in (
+        Paper(
+            "deluca",
+            "A. De Luca, Robotics I, written exam of 11 January 2012, with solutions",
+            "exercise 1 and the bonus exercise",
+            "chainrule.papers.deluca",
+        ),
+    )
+}
 
 
 def reproduce(key: str, progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
@@ -111,5 +126,13 @@ def compared(where: str, quantity: str, printed: str, value: float, how: str, no
 
 def shown_equal(where: str, quantity: str, printed: str, equal: bool, how: str, note: str = "") -> Row:
     """A formula or set against the paper's, equal or not by proof."""
-    return Row(where, quantity, printed, "the same" if equal else "not the same", None,
-               "proved" if equal else "DISAGREES", how, note)
+    return Row(
+        where,
+        quantity,
+        printed,
+        "the same" if equal else "not the same",
+        None,
+        "proved" if equal else "DISAGREES",
+        how,
+        note,
+    )

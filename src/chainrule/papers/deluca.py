@@ -47,9 +47,17 @@ def _workspaces() -> list[Row]:
     ]
     triples = np.random.default_rng(0).uniform(0.0, 2.0, (1000, 3))
     worst = max(abs(ring(triple)[0] - _inner_radius(*triple)) for triple in triples)
-    found.append(Row(EXERCISE, "general formula for r1, at 1000 random lengths", "max of four terms",
-                     "the same" if worst < 1e-12 else "not the same", worst, "agrees" if worst < 1e-12 else "DISAGREES",
-                     "ring([l1, l2, l3])"))
+    found.append(
+        Row(
+            EXERCISE,
+            "general formula for r1, at 1000 random lengths",
+            "max of four terms",
+            "the same" if worst < 1e-12 else "not the same",
+            worst,
+            "agrees" if worst < 1e-12 else "DISAGREES",
+            "ring([l1, l2, l3])",
+        )
+    )
     found.append(_secondary_formula())
     return found
 
@@ -66,10 +74,16 @@ def _secondary_formula() -> Row:
     ours = dexterous_rings(lengths)
     text = " and ".join(f"[{low:.4g}, {high:.4g}]" for low, high in ours)
     special = len(ours) == 2 and np.allclose(ours[1], printed)
-    return Row(EXERCISE, "r2 = l1 - l2 + l3, R2 = l1 + l2 - l3, at l = (1, 0.9, 0.5)",
-               f"[{printed[0]:.4g}, {printed[1]:.4g}] m", f"{text} m", None, "special case" if special else "DISAGREES",
-               "dexterous_rings([1, 0.9, 0.5])",
-               "right for the paper's arm; where the last link is longer than l1 - l2, a disc about the base is added")
+    return Row(
+        EXERCISE,
+        "r2 = l1 - l2 + l3, R2 = l1 + l2 - l3, at l = (1, 0.9, 0.5)",
+        f"[{printed[0]:.4g}, {printed[1]:.4g}] m",
+        f"{text} m",
+        None,
+        "special case" if special else "DISAGREES",
+        "dexterous_rings([1, 0.9, 0.5])",
+        "right for the paper's arm; where the last link is longer than l1 - l2, a disc about the base is added",
+    )
 
 
 def _formulas() -> list[Row]:
@@ -79,29 +93,64 @@ def _formulas() -> list[Row]:
     jacobian = sp.Matrix(2, 3, closed_form(planar.jacobian(arm, "position"))["jacobian"])
     s1, s12, s123 = sp.sin(q1), sp.sin(q1 + q2), sp.sin(q1 + q2 + q3)
     c1, c12, c123 = sp.cos(q1), sp.cos(q1 + q2), sp.cos(q1 + q2 + q3)
-    printed = sp.Matrix([[-(l1 * s1 + l2 * s12 + l3 * s123), -(l2 * s12 + l3 * s123), -l3 * s123],
-                         [l1 * c1 + l2 * c12 + l3 * c123, l2 * c12 + l3 * c123, l3 * c123]])
+    printed = sp.Matrix(
+        [
+            [-(l1 * s1 + l2 * s12 + l3 * s123), -(l2 * s12 + l3 * s123), -l3 * s123],
+            [l1 * c1 + l2 * c12 + l3 * c123, l2 * c12 + l3 * c123, l3 * c123],
+        ]
+    )
     s2, s3, s23 = sp.sin(q2), sp.sin(q3), sp.sin(q2 + q3)
     terms = (l1 * (l2 * s2 + l3 * s23), l3 * (l1 * s23 + l2 * s3), l2 * l3 * s3)
     square, ours = (jacobian * jacobian.T).det(), sum(m**2 for m in closed_minors(arm))
     minors = closed_minors(arm)
     back = {q2: -q2, q3: -q3}
     return [
-        shown_equal(EXERCISE, "Jacobian", "2 × 3 matrix", all(vanishes(e) for e in jacobian - printed),
-                    "derive.planar.jacobian(arm, 'position')"),
-        shown_equal(EXERCISE, "H², equation (1)", "sum of three squares", vanishes(square - sum(t**2 for t in terms)),
-                    "det(J Jᵀ) of the derived Jacobian"),
-        shown_equal(EXERCISE, "our closed form of H²", "equation (1)", vanishes(ours - sum(t**2 for t in terms)),
-                    "derive.planar_3r.closed_minors(arm)"),
-        shown_equal(EXERCISE, "H does not depend on q1", "dH/dq1 = 0", vanishes(sp.diff(square, q1)),
-                    "derivative of det(J Jᵀ) by q1"),
-        compared("footnote 2", "number of maximal minors", "3", float(len(minors)), "derive.planar_3r.closed_minors(arm)"),
-        shown_equal("footnote 2", "the three terms are the minors (1,2), (1,3), (2,3)", "up to sign",
-                    all(vanishes(m**2 - t**2) for m, t in zip(minors, terms, strict=True)),
-                    "derive.planar_3r.closed_minors(arm)"),
+        shown_equal(
+            EXERCISE,
+            "Jacobian",
+            "2 × 3 matrix",
+            all(vanishes(e) for e in jacobian - printed),
+            "derive.planar.jacobian(arm, 'position')",
+        ),
+        shown_equal(
+            EXERCISE,
+            "H², equation (1)",
+            "sum of three squares",
+            vanishes(square - sum(t**2 for t in terms)),
+            "det(J Jᵀ) of the derived Jacobian",
+        ),
+        shown_equal(
+            EXERCISE,
+            "our closed form of H²",
+            "equation (1)",
+            vanishes(ours - sum(t**2 for t in terms)),
+            "derive.planar_3r.closed_minors(arm)",
+        ),
+        shown_equal(
+            EXERCISE,
+            "H does not depend on q1",
+            "dH/dq1 = 0",
+            vanishes(sp.diff(square, q1)),
+            "derivative of det(J Jᵀ) by q1",
+        ),
+        compared(
+            "footnote 2", "number of maximal minors", "3", float(len(minors)), "derive.planar_3r.closed_minors(arm)"
+        ),
+        shown_equal(
+            "footnote 2",
+            "the three terms are the minors (1,2), (1,3), (2,3)",
+            "up to sign",
+            all(vanishes(m**2 - t**2) for m, t in zip(minors, terms, strict=True)),
+            "derive.planar_3r.closed_minors(arm)",
+        ),
         _singular(singular_set(arm), q2, q3),
-        shown_equal(BONUS, "symmetry", "H(q2, q3) = H(−q2, −q3)", vanishes(ours - ours.subs(back, simultaneous=True)),
-                    "derive.planar_3r.closed_minors(arm)"),
+        shown_equal(
+            BONUS,
+            "symmetry",
+            "H(q2, q3) = H(−q2, −q3)",
+            vanishes(ours - ours.subs(back, simultaneous=True)),
+            "derive.planar_3r.closed_minors(arm)",
+        ),
     ]
 
 
@@ -126,9 +175,15 @@ def _singular(found: tuple[dict[Expression, Expression], ...], q2: Expression, q
     printed = {(0, 0), (0, sp.pi), (sp.pi, 0), (sp.pi, sp.pi)}  # the paper's ±π is one angle
     ours = {(sp.Mod(pair[q2], 2 * sp.pi), sp.Mod(pair[q3], 2 * sp.pi)) for pair in found}
     text = ", ".join(f"{{{a}, {b}}}" for a, b in sorted(ours, key=lambda pair: (float(pair[0]), float(pair[1]))))
-    return Row(EXERCISE, "singular pairs {q2, q3}, for all positive lengths", "{0, 0}, {0, ±π}, {±π, 0}, {±π, ±π}",
-               text.replace("pi", "π"), None, "proved" if ours == printed else "DISAGREES",
-               "derive.planar_3r.singular_set(arm)")
+    return Row(
+        EXERCISE,
+        "singular pairs {q2, q3}, for all positive lengths",
+        "{0, 0}, {0, ±π}, {±π, 0}, {±π, ±π}",
+        text.replace("pi", "π"),
+        None,
+        "proved" if ours == printed else "DISAGREES",
+        "derive.planar_3r.singular_set(arm)",
+    )
 
 
 def _optimum() -> list[Row]:
@@ -148,15 +203,31 @@ def _optimum() -> list[Row]:
         compared(BONUS, "q3 there", "0.24", at[1], how, unit=" rad"),
     ]
     near = all(abs(best.q[k + 1] - at[k]) <= step for k in (0, 1)) and 0.0 <= best.value - height[i, j] < 1e-3
-    found.append(Row(BONUS, "largest H, off the grid", "0.79 m² at (1.48, 0.24)",
-                     f"{best.value:.10f} m² at ({best.q[1]:.7f}, {best.q[2]:.7f})", best.value - float(height[i, j]),
-                     "refined" if near else "DISAGREES", "max_manipulability(load('planar_3r'))",
-                     "the difference is to the grid's largest value"))
+    found.append(
+        Row(
+            BONUS,
+            "largest H, off the grid",
+            "0.79 m² at (1.48, 0.24)",
+            f"{best.value:.10f} m² at ({best.q[1]:.7f}, {best.q[2]:.7f})",
+            best.value - float(height[i, j]),
+            "refined" if near else "DISAGREES",
+            "max_manipulability(load('planar_3r'))",
+            "the difference is to the grid's largest value",
+        )
+    )
     one, two = (max_manipulability(planar_3r(*[size] * 3)) for size in (1.0, 2.0))
     same = bool(np.allclose(one.q, two.q, atol=1e-6)) and abs(two.value / one.value - 4.0) < 1e-9
-    found.append(Row(BONUS, "equal lengths l: optimal posture independent of l, H* grows with l²", "stated",
-                     f"l = 1 and 2: ratio {two.value / one.value:.9g}, same posture" if same else "not so",
-                     two.value / one.value - 4.0, "agrees" if same else "DISAGREES", "max_manipulability(planar_3r(l, l, l))"))
+    found.append(
+        Row(
+            BONUS,
+            "equal lengths l: optimal posture independent of l, H* grows with l²",
+            "stated",
+            f"l = 1 and 2: ratio {two.value / one.value:.9g}, same posture" if same else "not so",
+            two.value / one.value - 4.0,
+            "agrees" if same else "DISAGREES",
+            "max_manipulability(planar_3r(l, l, l))",
+        )
+    )
     return found
 
 
@@ -164,5 +235,13 @@ def _truncated(quantity: str, printed: str, value: float, how: str) -> Row:
     """A value that the paper cuts off after its last digit instead of rounding it."""
     difference = value - float(printed)
     agrees = 0.0 <= difference < 0.01
-    return Row(BONUS, quantity, f"{printed} m²", f"{value:.10g} m²", difference, "agrees" if agrees else "DISAGREES", how,
-               "the paper cuts off after two decimals; rounded it is 0.80" if f"{value:.2f}" != printed else "")
+    return Row(
+        BONUS,
+        quantity,
+        f"{printed} m²",
+        f"{value:.10g} m²",
+        difference,
+        "agrees" if agrees else "DISAGREES",
+        how,
+        "the paper cuts off after two decimals; rounded it is 0.80" if f"{value:.2f}" != printed else "",
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -43,13 +44,14 @@ def _planar(arm: Arm, bones: Skeleton, title: str) -> Figure:
         for value in sorted({inner, outer, *(r for ring in rings.secondary for r in ring)}):
             if value > 0.0:
                 edge = COLOURS["muted"] if value in (inner, outer) else COLOURS["link"]
-                axes.add_patch(Circle((0, 0), value, fill=False, ec=edge, lw=0.8,
-                                      ls="-" if value in (inner, outer) else (0, (4, 3))))
+                axes.add_patch(
+                    Circle(
+                        (0, 0), value, fill=False, ec=edge, lw=0.8, ls="-" if value in (inner, outer) else (0, (4, 3))
+                    )
+                )
     path = [np.zeros(3)]
     for point, kind in zip(bones.points, arm.kinds, strict=True):
-        if kind == "R" and np.linalg.norm(point - path[-1]) > 1e-12:
-            path.append(point)
-        elif kind == "P":
+        if (kind == "R" and np.linalg.norm(point - path[-1]) > 1e-12) or kind == "P":
             path.append(point)
     path.append(bones.tip)
     line = np.array(path)[:, :2]
@@ -61,8 +63,13 @@ def _planar(arm: Arm, bones: Skeleton, title: str) -> Figure:
             ends = np.array([point - 0.06 * radius * axis, point + 0.06 * radius * axis])[:, :2]
             axes.plot(*ends.T, color=COLOURS["joint"], lw=9, solid_capstyle="butt", zorder=4)
     axes.plot(*bones.tip[:2], "o", ms=6, color=COLOURS["accent"], zorder=5)
-    _place_labels(axes, [(f"q{i}", point[:2], COLOURS["ink"]) for i, point in enumerate(bones.points, 1)]
-                  + [("tip", bones.tip[:2], COLOURS["accent"])], _along(line), 0.13 * radius)
+    _place_labels(
+        axes,
+        [(f"q{i}", point[:2], COLOURS["ink"]) for i, point in enumerate(bones.points, 1)]
+        + [("tip", bones.tip[:2], COLOURS["accent"])],
+        _along(line),
+        0.13 * radius,
+    )
     axes.set_aspect("equal")
     axes.set_xlim(-1.1 * radius, 1.1 * radius)
     axes.set_ylim(-1.1 * radius, 1.1 * radius)
@@ -94,8 +101,9 @@ def _spatial(arm: Arm, bones: Skeleton, title: str) -> Figure:
     obstacles = [_along(path @ view.T)]
     obstacles += _floor(axes, view, path, floor, size)
     shadow = path * [1.0, 1.0, 0.0] + [0.0, 0.0, floor]
-    axes.plot(*(shadow @ view.T).T, color=COLOURS["line"], lw=4.0, solid_capstyle="round", solid_joinstyle="round",
-              zorder=1.5)
+    axes.plot(
+        *(shadow @ view.T).T, color=COLOURS["line"], lw=4.0, solid_capstyle="round", solid_joinstyle="round", zorder=1.5
+    )
     flat = path @ view.T
     axes.plot(*flat.T, color=COLOURS["paper"], lw=9.0, solid_capstyle="round", solid_joinstyle="round", zorder=2.9)
     axes.plot(*flat.T, color=COLOURS["link"], lw=5.5, solid_capstyle="round", solid_joinstyle="round", zorder=3)
@@ -105,8 +113,13 @@ def _spatial(arm: Arm, bones: Skeleton, title: str) -> Figure:
     labels: dict[tuple[float, ...], list[str]] = {}
     for i, point in enumerate(bones.points, 1):
         labels.setdefault(tuple(np.round(point, 6)), []).append(f"q{i}")
-    _place_labels(axes, [(", ".join(names), np.array(at) @ view.T, COLOURS["ink"]) for at, names in labels.items()]
-                  + [("tip", bones.tip @ view.T, COLOURS["accent"])], np.vstack(obstacles), 0.085 * size)
+    _place_labels(
+        axes,
+        [(", ".join(names), np.array(at) @ view.T, COLOURS["ink"]) for at, names in labels.items()]
+        + [("tip", bones.tip @ view.T, COLOURS["accent"])],
+        np.vstack(obstacles),
+        0.085 * size,
+    )
     axes.set_aspect("equal")
     axes.set_axis_off()
     if title:
@@ -125,7 +138,7 @@ def _fit(drawing: Figure, axes: Axes) -> None:
 def _along(line: Array, count: int = 24) -> Array:
     """Points spread along a polyline (k, 2)."""
     share = np.linspace(0.0, 1.0, count)[:, None]
-    return np.vstack([a + share * (b - a) for a, b in zip(line[:-1], line[1:], strict=True)]) if len(line) > 1 else line
+    return np.vstack([a + share * (b - a) for a, b in pairwise(line)]) if len(line) > 1 else line
 
 
 def _place_labels(axes: Axes, labels: list[tuple[str, Array, str]], obstacles: Array, distance: float) -> None:
@@ -136,9 +149,9 @@ def _place_labels(axes: Axes, labels: list[tuple[str, Array, str]], obstacles: A
         places = point + distance * np.stack([wide * np.cos(turn), np.sin(turn)], axis=1)
         gaps = np.linalg.norm((places[:, None] - obstacles[None]) / [wide, 1.0], axis=2).min(axis=1)
         best = places[int(np.argmax(np.minimum(gaps, 0.9 * distance) + 1e-3 * distance * np.cos(turn - 0.6)))]
-        obstacles = np.vstack([obstacles, best, best + [0.35 * wide * distance, 0.0], best - [0.35 * wide * distance, 0.0]])
-        axes.annotate(text, best, ha="center", va="center", color=colour, zorder=7,
-                      bbox={"boxstyle": "round,pad=0.1", "fc": COLOURS["paper"], "ec": "none", "alpha": 0.7})
+        half = np.array([0.35 * wide * distance, 0.0])
+        obstacles = np.vstack([obstacles, best, best + half, best - half])
+        _write(axes, text, best, colour, zorder=7, alpha=0.7)
 
 
 def _path(bones: Skeleton) -> Array:
@@ -160,8 +173,7 @@ def _floor(axes: Axes, view: Array, path: Array, floor: float, size: float) -> l
         ring = circle * (k * step) + [0.0, 0.0, floor]
         axes.plot(*(ring @ view.T).T, color=COLOURS["line"], lw=0.8, zorder=1)
         at = np.array([k * step * np.cos(AZIMUTH), k * step * np.sin(AZIMUTH), floor]) @ view.T
-        axes.annotate(f"{readable(k * step)} m", at, ha="center", va="center", fontsize=7.5, color=COLOURS["muted"],
-                      zorder=1.2, bbox={"boxstyle": "round,pad=0.15", "fc": COLOURS["paper"], "ec": "none"})
+        _write(axes, f"{readable(k * step)} m", at, COLOURS["muted"], zorder=1.2, size=7.5)
         written.append(at[None])
     return written
 
@@ -178,6 +190,12 @@ def _joint_strokes(axes: Axes, view: Array, arm: Arm, bones: Skeleton, size: flo
         axes.plot(*stroke.T, color=COLOURS["joint"], lw=8.5, solid_capstyle=cap, zorder=4)
 
 
+def _write(axes: Axes, text: str, at: Array, colour: str, zorder: float, size: float = 9.0, alpha: float = 1.0) -> None:
+    """Text centred at a point, on a patch of paper so that lines do not run through it."""
+    patch = {"boxstyle": "round,pad=0.12", "fc": COLOURS["paper"], "ec": "none", "alpha": alpha}
+    axes.text(at[0], at[1], text, ha="center", va="center", color=colour, fontsize=size, zorder=zorder, bbox=patch)
+
+
 def _frame(axes: Axes, view: Array, origin: Array, frame: Array, length: float) -> list[Array]:
     """A frame's axes as arrows with their letters; returns the points they cover."""
     start = origin @ view.T
@@ -185,12 +203,11 @@ def _frame(axes: Axes, view: Array, origin: Array, frame: Array, length: float) 
     for k, letter in enumerate("xyz"):
         end = (origin + length * frame[:, k]) @ view.T
         colour = COLOURS[f"axis_{letter}"]
-        axes.annotate("", end, xytext=start, zorder=5,
-                      arrowprops={"arrowstyle": "-|>", "color": colour, "lw": 1.4, "shrinkA": 0, "shrinkB": 0,
-                                  "mutation_scale": 7})
+        arrow = {"arrowstyle": "-|>", "color": colour, "lw": 1.4, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 7}
+        axes.annotate("", (end[0], end[1]), xytext=(start[0], start[1]), zorder=5, arrowprops=arrow)
         if np.linalg.norm(end - start) > 0.25 * length:
             beside = end + 0.17 * length * (end - start) / np.linalg.norm(end - start)
-            axes.annotate(letter, beside, ha="center", va="center", fontsize=8, color=colour, zorder=5)
+            axes.text(beside[0], beside[1], letter, ha="center", va="center", fontsize=8, color=colour, zorder=5)
             covered += [_along(np.array([start, end]), 6), beside[None]]
     axes.plot(*start, "o", ms=4, color=COLOURS["ink"], zorder=5.1)
     return covered

@@ -14,18 +14,17 @@ from chainrule.tables import posture, readable
 def finding(arm: Arm, found: ManipulabilityMap) -> str:
     """The map in one sentence: how large H gets, and where."""
     where = posture(arm, found.maximum.q, found.joints)
-    size = f"{found.maximum.value:.4g}" + ("" if found.unit.text == "1" or found.unit.mixed else f" {found.unit.text}")
-    return f"H is largest, {size}, at {where}"
+    return f"H is largest, {found.maximum.value:.4g}{found.unit.suffix}, at {where}"
 
 
 def singular_note(arm: Arm, found: ManipulabilityMap) -> str:
     """Whether the map meets a singularity: its smallest value, refined off the grid."""
     if found.minimum.value > 1e-7 * found.maximum.value:
-        size = "" if found.unit.text == "1" or found.unit.mixed else f" {found.unit.text}"
-        return f"and nowhere below {readable(found.minimum.value, 2)}{size}"
+        return f"and nowhere below {readable(found.minimum.value, 2)}{found.unit.suffix}"
     points = [found.minimum.q, *found.minimum.others]
     if all(arm.kinds[j] == "R" for j in found.joints) and all(
-            abs(np.sin(q[j])) < 1e-6 for q in points for j in found.joints):
+        abs(np.sin(q[j])) < 1e-6 for q in points for j in found.joints
+    ):
         return "zero where both are 0° or 180°"
     where = posture(arm, found.minimum.q, found.joints)
     return f"zero at {where}" + (" among others" if len(points) > 1 else "")
@@ -53,7 +52,7 @@ def draw_map(arm: Arm, found: ManipulabilityMap, title: str | None = None) -> Fi
         _degree_ticks(axes, arm, (i, j))
         axes.set_title(title or f"{finding(arm, found)},\n{singular_note(arm, found)}", loc="left")
         bar = drawing.colorbar(field, ax=axes, shrink=0.95, pad=0.02, aspect=28)
-        bar.outline.set_visible(False)  # type: ignore[operator]
+        bar.outline.set_visible(False)
         bar.set_label(f"H [{found.unit.text}]" if not found.unit.mixed else f"H (terms in {found.unit.text})")
         bar.ax.yaxis.set_major_formatter(lambda value, place: f"{value:.3g}")
         axes.spines[:].set_visible(False)

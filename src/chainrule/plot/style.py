@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from html import escape
+from typing import Any
 
 from matplotlib import rc_context
 from matplotlib.axes import Axes
@@ -39,7 +40,7 @@ FIELD = "cividis"
 WIDTH = 5.4  # inches; text keeps its size relation to the figure on every screen
 _FONTS = ["system-ui", "-apple-system", "Segoe UI", "Roboto", "Helvetica Neue", "Arial", "DejaVu Sans", "sans-serif"]
 
-_SETTINGS = {
+_SETTINGS: Any = {  # matplotlib's type of it differs between versions
     "font.family": ["DejaVu Sans"],
     "font.size": 9.0,
     "axes.titlesize": 9.5,
@@ -93,7 +94,7 @@ def svg(drawing: Figure, key: str, title: str, description: str) -> str:
 
 def inline(text: str, key: str, title: str, description: str) -> str:
     """Matplotlib's SVG made fit to stand in a page beside others."""
-    text = text[text.index("<svg"):].strip()
+    text = text[text.index("<svg") :].strip()
     text = re.sub(r"<metadata>.*?</metadata>", "", text, flags=re.DOTALL)
     text = re.sub(r'\bid="([^"]*)"', rf'id="{key}-\1"', text)
     text = re.sub(r'(?:xlink:)?href="#([^"]*)"', rf'href="#{key}-\1"', text)
@@ -106,7 +107,9 @@ def inline(text: str, key: str, title: str, description: str) -> str:
     assert opening is not None
     box = re.search(r'viewBox="([^"]*)"', opening.group())
     assert box is not None
-    start = (f'<svg viewBox="{box.group(1)}" role="img" aria-labelledby="{key}-title {key}-desc" '
-             f'preserveAspectRatio="xMidYMid meet">\n<title id="{key}-title">{escape(title)}</title>\n'
-             f'<desc id="{key}-desc">{escape(description)}</desc>')
-    return start + text[opening.end():]
+    start = (
+        f'<svg viewBox="{box.group(1)}" role="img" aria-labelledby="{key}-title {key}-desc" '
+        f'preserveAspectRatio="xMidYMid meet">\n<title id="{key}-title">{escape(title)}</title>\n'
+        f'<desc id="{key}-desc">{escape(description)}</desc>'
+    )
+    return start + text[opening.end() :]

@@ -43,8 +43,11 @@ class Report:
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers of every section."""
-        return {"passed": self.passed, "failed": [check.what for check in self.failed],
-                "sections": {key: part.data for key, part in self.parts.items()}}
+        return {
+            "passed": self.passed,
+            "failed": [check.what for check in self.failed],
+            "sections": {key: part.data for key, part in self.parts.items()},
+        }
 
 
 def build(arm: Arm, progress: Progress = lambda line: None) -> Report:
@@ -85,8 +88,13 @@ def _page(arm: Arm, parts: dict[str, Part], titles: dict[str, str]) -> str:
 
     from chainrule.tables import printable, readable
 
-    environment = Environment(loader=PackageLoader("chainrule.report", "templates"), autoescape=True, trim_blocks=True,
-                              lstrip_blocks=True, undefined=StrictUndefined)
+    environment = Environment(
+        loader=PackageLoader("chainrule.report", "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=StrictUndefined,
+    )
     environment.filters |= {"readable": readable, "printable": printable}
     page = environment.get_template("page.html.j2")
     return page.render(arm=arm, parts=parts, titles=titles, version=_version())

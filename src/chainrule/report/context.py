@@ -6,12 +6,17 @@ from collections.abc import Callable
 from functools import cached_property
 from typing import Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
 from chainrule.checks import Check, checks
-from chainrule.manipulability import ManipulabilityMap, depends_on, manipulability_map, max_manipulability, min_manipulability
+from chainrule.manipulability import (
+    ManipulabilityMap,
+    depends_on,
+    manipulability_map,
+    max_manipulability,
+    min_manipulability,
+)
 from chainrule.search import Found, box
 from chainrule.tables import Table, functions
 from chainrule.workspace import Reach, reach

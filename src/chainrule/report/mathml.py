@@ -185,7 +185,7 @@ def symbol_equation(left: str, right: Expression) -> Markup:
 
 
 def factors(expression: Expression) -> tuple[Expression, list[Expression]]:
-    """The number in front and the factors of a polynomial in sines, cosines and lengths, each without a leading minus."""
+    """The number in front and the factors of a polynomial in sines and cosines, none with a leading minus."""
     front, listed = sp.factor_list(expression)
     found = []
     for factor, power in listed:

@@ -1,4 +1,7 @@
-"""The sections of the report, in order. To add one: write a module in ``parts/`` with a ``SECTION``, and name it here."""
+"""The sections of the report, in order.
+
+To add one: write a module in ``parts/`` that has a ``SECTION``, and name it in :data:`ORDER`.
+"""
 
 from __future__ import annotations
 

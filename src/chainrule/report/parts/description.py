@@ -22,8 +22,10 @@ def _build(arm: Arm, context: Context) -> Part:
     blocks.append(Grid(tasks(arm)))
     source = printable(description.source)
     blocks.append(Prose(f"Source: {source}." if source else "No source of these numbers is given."))
-    return Part(tuple(blocks), {"geometry": [t.to_dict() for t in tables], "joints": joints(arm).to_dict(),
-                                "source": description.source})
+    return Part(
+        tuple(blocks),
+        {"geometry": [t.to_dict() for t in tables], "joints": joints(arm).to_dict(), "source": description.source},
+    )
 
 
 SECTION = Section("description", "Description", lambda arm: True, _build)

@@ -19,17 +19,23 @@ def _build(arm: Arm, context: Context) -> Part:
     why = "the posture of its largest manipulability" if context.task else "the middle of its ranges"
     planar = "x_alpha" in arm.tasks
     if planar and "P" not in arm.kinds:
-        reading = (" Grey: every point the tip reaches. Blue, inside dashed circles: points it reaches with every "
-                   "orientation (joints without limits).")
+        reading = (
+            " Grey: every point the tip reaches. Blue, inside dashed circles: points it reaches with every "
+            "orientation (joints without limits)."
+        )
     elif planar:
         reading = ""
     else:
-        reading = (" Orange strokes lie along the joints' axes and straight lines join their origins, so this is a skeleton, "
-                   "not the housing; its shadow falls on the floor, whose circles give the distance from the base.")
+        reading = (
+            " Orange strokes lie along the joints' axes and straight lines join their origins, so this is a skeleton, "
+            "not the housing; its shadow falls on the floor, whose circles give the distance from the base."
+        )
     description = f"Line drawing of the arm {arm.name} with {arm.n} joints, at {at}."
     text = svg(draw_arm(arm, context.posture), "arm", f"The arm {arm.name}", description)
-    return Part((Picture(Markup(text), f"{arm.name} in {why}: {at}.{reading}"),),  # noqa: S704  our own SVG
-                {"q": context.posture.tolist()})
+    return Part(
+        (Picture(Markup(text), f"{arm.name} in {why}: {at}.{reading}"),),
+        {"q": context.posture.tolist()},
+    )
 
 
 SECTION = Section("drawing", "The arm", lambda arm: True, _build)

@@ -13,11 +13,16 @@ def _build(arm: Arm, context: Context) -> Part:
     table = context.functions
     total = sum(row[3] for row in table.rows if isinstance(row[3], int))
     model = arm.description.model
-    lead = (f"{len(table.rows)} functions of the {arm.n} joint variables, {readable(total)} operations in all for one "
-            "configuration, a sine or cosine counted as one. Each takes single configurations and batches, in double and single precision.")
+    lead = (
+        f"{len(table.rows)} functions of the {arm.n} joint variables, {readable(total)} operations in all for one "
+        "configuration, a sine or cosine counted as one. Each takes single configurations and batches, in "
+        "double and single precision."
+    )
     if model.parameters:
-        lead += (f" They belong to the family {model.name} and also take its parameters "
-                 f"({', '.join(model.parameter_names)}), so other lengths need no new code.")
+        lead += (
+            f" They belong to the family {model.name} and also take its parameters "
+            f"({', '.join(model.parameter_names)}), so other lengths need no new code."
+        )
     return Part((Prose(lead), Grid(table)), {"functions": table.to_dict(), "operations": total})
 
 

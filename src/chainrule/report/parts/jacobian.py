@@ -32,14 +32,17 @@ def _written(arm: Arm, task: str) -> Formula:
     program = family.jacobian(catalogue.symbolic(model), task)
     rows, columns = program.outputs[0].shape
     entries = [simplified(e) for e in closed_form(program)["jacobian"]]
-    table = [entries[r * columns:(r + 1) * columns] for r in range(rows)]
+    table = [entries[r * columns : (r + 1) * columns] for r in range(rows)]
     return Formula(mathml.equation(mathml.bold("J"), mathml.matrix(table)))
 
 
 def _columns(arm: Arm, task: str) -> list[Block]:
     """The Jacobian of a spatial chain by its columns."""
     m = mathml
-    z, moment = m.bold("z", "i"), m.row(m.operator("("), m.bold("p", "e"), m.operator("−"), m.bold("p", "i"), m.operator(")"))
+    z, moment = (
+        m.bold("z", "i"),
+        m.row(m.operator("("), m.bold("p", "e"), m.operator("−"), m.bold("p", "i"), m.operator(")")),
+    )
     turning = [m.row(z, m.operator("×"), moment), z]
     sliding = [z, "<mn>0</mn>"]
     rows = 2 if task == "pose" else 1
@@ -65,20 +68,29 @@ def _build(arm: Arm, context: Context) -> Part:
     blocks: list[Block] = []
     if model.family != "serial" and arm.n <= MOST_WRITTEN:
         blocks += [
-            Prose(f"The {rows} × {arm.n} Jacobian of the {task}, in the base frame, simplified by SymPy. "
-                  "Shorthand: s₁ = sin q₁, c₁₂ = cos(q₁ + q₂), and so on."),
+            Prose(
+                f"The {rows} × {arm.n} Jacobian of the {task}, in the base frame, simplified by SymPy. "
+                "Shorthand: s₁ = sin q₁, c₁₂ = cos(q₁ + q₂), and so on."
+            ),
             _written(arm, task),
         ]
     else:
-        blocks.append(Prose(
-            f"The {rows} × {arm.n} Jacobian of the {task}, in the base frame. "
-            + ("Rows are the linear, then the angular velocity of the tip. " if task == "pose" else "")
-            + ("zᵢ is the axis of joint i, pᵢ a point on it, pₑ the tip." if model.family == "serial" else "")))
+        blocks.append(
+            Prose(
+                f"The {rows} × {arm.n} Jacobian of the {task}, in the base frame. "
+                + ("Rows are the linear, then the angular velocity of the tip. " if task == "pose" else "")
+                + ("zᵢ is the axis of joint i, pᵢ a point on it, pₑ the tip." if model.family == "serial" else "")
+            )
+        )
         if model.family == "serial":
             blocks += _columns(arm, task)
-            blocks.append(Prose("The axes and points follow from the description, step by step. Shorthand: sᵢ = sin qᵢ, "
-                                "cᵢ = cos qᵢ; x, y, z are the columns of a frame's rotation and p its origin; decimals are "
-                                "the description's numbers, taken exactly."))
+            blocks.append(
+                Prose(
+                    "The axes and points follow from the description, step by step. Shorthand: sᵢ = sin qᵢ, "
+                    "cᵢ = cos qᵢ; x, y, z are the columns of a frame's rotation and p its origin; decimals are "
+                    "the description's numbers, taken exactly."
+                )
+            )
     blocks.append(step_list(program, "Named steps from joint angles to the Jacobian"))
     return Part(tuple(blocks), {"task": task, "rows": rows, "steps": len(program.steps)})
 

@@ -29,13 +29,17 @@ def _definition() -> Formula:
 def _planar_3r(arm: Arm) -> list[Block]:
     symbolic = catalogue.symbolic(arm.description.model)
     minors = planar_3r.closed_minors(symbolic)
-    lines = tuple(mathml.symbol_equation(f"M{pair}", minor) for pair, minor in zip(("12", "13", "23"), minors, strict=True))
+    lines = tuple(
+        mathml.symbol_equation(f"M{pair}", minor) for pair, minor in zip(("12", "13", "23"), minors, strict=True)
+    )
     total = mathml.operator("+").join(map(mathml.squared, minors))
     return [
         Prose("The three minors, in closed form (columns 1 and 2, 1 and 3, 2 and 3):"),
         Formulas(lines, "Minors in closed form"),
-        Formula(mathml.equation("<mi>H</mi>", f"<msqrt>{total}</msqrt>"),
-                "q₁ does not appear: turning the whole arm about its base changes neither the minors nor H."),
+        Formula(
+            mathml.equation("<mi>H</mi>", f"<msqrt>{total}</msqrt>"),
+            "q₁ does not appear: turning the whole arm about its base changes neither the minors nor H.",
+        ),
     ]
 
 
@@ -46,11 +50,15 @@ def _orthogonal(arm: Arm) -> list[Block]:
     left = mathml.determinant(mathml.bold("J"))
 
     def product(factors: list[Any]) -> Any:
-        return mathml.equation(left, mathml.inner(sp.Mul(front, *factors, evaluate=False) if front != 1 else
-                                                  sp.Mul(*factors, evaluate=False)))
+        return mathml.equation(
+            left,
+            mathml.inner(sp.Mul(front, *factors, evaluate=False) if front != 1 else sp.Mul(*factors, evaluate=False)),
+        )
 
     return [
-        Formula(product(parts), "Three joints for three rows: the only maximal minor is the determinant. SymPy factors it:"),
+        Formula(
+            product(parts), "Three joints for three rows: the only maximal minor is the determinant. SymPy factors it:"
+        ),
         Formula(product([mathml.with_decimals(p.xreplace(numbers)) for p in parts]), "With this arm's lengths:"),
         Prose("q₁ does not appear. H is the determinant's magnitude."),
     ]
@@ -64,14 +72,22 @@ def _general(arm: Arm, task: str) -> tuple[list[Block], dict[str, object]]:
     found = {f.name: f.program for f in catalogue.functions(model, task)}
     program = found.get(f"minors_{task}")
     if program is None:
-        return [Prose(f"A {rows} × {n} Jacobian has {count} maximal minors, which an expansion would need {shared} "
-                      "sub-minors for. H is computed by an orthogonal factorisation of the rows instead.")], {"minors": count}
+        return [
+            Prose(
+                f"A {rows} × {n} Jacobian has {count} maximal minors, which an expansion would need {shared} "
+                "sub-minors for. H is computed by an orthogonal factorisation of the rows instead."
+            )
+        ], {"minors": count}
     zero = [k for k, e in enumerate(program.outputs[0].expressions) if e == 0]
     used = sum(str(step.symbol).startswith("m") for step in program.steps)
-    blocks: list[Block] = [Prose(
-        f"A {rows} × {n} Jacobian has {plural_minors(count)}. They are expanded along rows over subsets of columns "
-        f"(Laplace) and share their sub-minors: {shared} at most, of which {used} remain as steps here because the rest "
-        "are zero, or equal to an entry or to one another.")]
+    blocks: list[Block] = [
+        Prose(
+            f"A {rows} × {n} Jacobian has {plural_minors(count)}. They are expanded along rows over subsets of columns "
+            f"(Laplace) and share their sub-minors: {shared} at most, of which {used} remain as steps here "
+            "because the rest "
+            "are zero, or equal to an entry or to one another."
+        )
+    ]
     if zero:
         blocks.append(Points((f"{len(zero)} of the {count} minors are zero in every configuration.",)))
     blocks.append(step_list(program, "Named steps from joint angles to the minors"))
@@ -89,8 +105,11 @@ def _build(arm: Arm, context: Context) -> Part:
     assert task is not None
     model, rows = arm.description.model, arm.tasks[task]
     blocks: list[Block] = [
-        Prose(f"The manipulability H of the {task} task measures how far the Jacobian is from losing rank. It is the root of "
-              "the sum of the squares of its maximal minors (Cauchy–Binet), and zero exactly where all of them vanish:"),
+        Prose(
+            f"The manipulability H of the {task} task measures how far the Jacobian is from losing rank. It "
+            "is the root of "
+            "the sum of the squares of its maximal minors (Cauchy–Binet), and zero exactly where all of them vanish:"
+        ),
         _definition(),
     ]
     data: dict[str, object] = {"minors": math.comb(arm.n, rows)}
@@ -103,8 +122,12 @@ def _build(arm: Arm, context: Context) -> Part:
         blocks += general
     size = unit(arm, task)
     if size.mixed:
-        blocks.append(Prose(f"Units: with revolute and prismatic joints together, H adds terms in {size.text}, so its value "
-                            "depends on the unit of length (metres here). Its zeros do not."))
+        blocks.append(
+            Prose(
+                f"Units: with revolute and prismatic joints together, H adds terms in {size.text}, so its value "
+                "depends on the unit of length (metres here). Its zeros do not."
+            )
+        )
     else:
         blocks.append(Prose(f"H is in {size.text}." if size.text != "1" else "H is a pure number."))
     return Part(tuple(blocks), data | {"unit": size.text})

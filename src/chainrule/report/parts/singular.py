@@ -21,14 +21,22 @@ def _planar_3r(arm: Arm) -> tuple[list[Block], dict[str, object]]:
     symbolic = catalogue.symbolic(arm.description.model)
     found = planar_3r.singular_set(symbolic)
     q2, q3 = symbolic.inputs[0].symbols[1:]
-    rows = tuple((f"{math.degrees(float(pair[q2])):g}", f"{math.degrees(float(pair[q3])):g}", _stretched(pair, q2, q3))
-                 for pair in found)
-    table = Table("Singular configurations, at any q₁", (Column("q2", "q2", "deg"), Column("q3", "q3", "deg"),
-                                                         Column("links", "the links")), rows)
+    rows = tuple(
+        (f"{math.degrees(float(pair[q2])):g}", f"{math.degrees(float(pair[q3])):g}", _stretched(pair, q2, q3))
+        for pair in found
+    )
+    table = Table(
+        "Singular configurations, at any q₁",
+        (Column("q2", "q2", "deg"), Column("q3", "q3", "deg"), Column("links", "the links")),
+        rows,
+    )
     return [
         Finding(f"The arm is singular in exactly {len(found)} pairs (q₂, q₃): where all three links lie on one line."),
-        Prose("Derived by solving the vanishing of all three minors over (−π, π]: M₂₃ gives q₃, then M₁₃ gives q₂, and M₁₂ "
-              "vanishes there too. It holds for all link lengths that are not zero."),
+        Prose(
+            "Derived by solving the vanishing of all three minors over (−π, π]: M₂₃ gives q₃, then M₁₃ gives "
+            "q₂, and M₁₂ "
+            "vanishes there too. It holds for all link lengths that are not zero."
+        ),
         Grid(table),
     ], {"singular": [[float(pair[q2]), float(pair[q3])] for pair in found], "proved": True}
 
@@ -49,38 +57,75 @@ def _orthogonal(arm: Arm) -> tuple[list[Block], dict[str, object]]:
     ]
     if abs(d3) <= abs(d4) and d4 != 0:
         angle = math.degrees(math.acos(-d3 / d4))
-        blocks.append(Prose(f"The factor without q₂ vanishes at q₃ = ±{angle:.4g}°, because |d₃| does not exceed |d₄|: there the "
-                            "tip lies on the axis of joint 2."))
+        blocks.append(
+            Prose(
+                f"The factor without q₂ vanishes at q₃ = ±{angle:.4g}°, because |d₃| does not exceed |d₄|: there the "
+                "tip lies on the axis of joint 2."
+            )
+        )
     else:
-        blocks.append(Prose("The factor without q₂ never vanishes here, because |d₃| exceeds |d₄|: the tip cannot reach the axis "
-                            "of joint 2."))
+        blocks.append(
+            Prose(
+                "The factor without q₂ never vanishes here, because |d₃| exceeds |d₄|: the tip cannot reach the axis "
+                "of joint 2."
+            )
+        )
     return blocks, {"factors": [str(f) for f in factors], "proved": True}
 
 
 def _general(arm: Arm, context: Context) -> tuple[list[Block], dict[str, object]]:
     task = context.task
     assert task is not None
+    if not context.depends_on and context.maximum.value > 0.0:
+        return [
+            Finding(
+                f"The arm is never singular: H is the same, {readable(context.maximum.value)}, in every configuration."
+            )
+        ], {"smallest_H": context.maximum.value, "proved": True}
     certain = _certain(arm, context, task)
     found = context.minimum
     scale = context.maximum.value
     jacobian = np.asarray(arm.jacobian(found.q, task=task))
     values = np.linalg.svd(jacobian, compute_uv=False)
     rank = int((values > 1e-6 * values[0]).sum())
-    blocks: list[Block] = [Prose("No closed form of the singular set is derived for this arm. This is certain:"),
-                           Points(certain)]
+    blocks: list[Block] = [
+        Prose("No closed form of the singular set is derived for this arm. This is certain:"),
+        Points(certain),
+    ]
     at = posture(arm, found.q)
     if found.value < 1e-6 * scale:
-        blocks.append(Finding(f"A search inside the joint limits meets singular configurations: H falls to "
-                              f"{readable(found.value, 2)}, where the Jacobian's rank is {rank} of {arm.tasks[task]}."))
-        blocks.append(Prose(f"For example at {at}. The search (20 000 random configurations, the lowest twelve refined by "
-                            "descent on H²) shows that singular configurations exist; it does not list them all."))
+        blocks.append(
+            Finding(
+                f"A search inside the joint limits meets singular configurations: H falls to "
+                f"{readable(found.value, 2)}, where the Jacobian's rank is {rank} of {arm.tasks[task]}."
+            )
+        )
+        blocks.append(
+            Prose(
+                f"For example at {at}. The search (20 000 random configurations, the lowest twelve refined by "
+                "descent on H²) shows that singular configurations exist; it does not list them all."
+            )
+        )
     else:
-        blocks.append(Finding(f"A search inside the joint limits found no singular configuration: the smallest H it met is "
-                              f"{readable(found.value, 3)}."))
-        blocks.append(Prose(f"It is met at {at}. The search (20 000 random configurations, the lowest twelve refined by descent "
-                            "on H²) is no proof that there is none."))
-    return blocks, {"smallest_H": found.value, "q": found.q.tolist(), "rank": rank, "certain": list(certain),
-                    "proved": False}
+        blocks.append(
+            Finding(
+                f"A search inside the joint limits found no singular configuration: the smallest H it met is "
+                f"{readable(found.value, 3)}."
+            )
+        )
+        blocks.append(
+            Prose(
+                f"It is met at {at}. The search (20 000 random configurations, the lowest twelve refined by descent "
+                "on H²) is no proof that there is none."
+            )
+        )
+    return blocks, {
+        "smallest_H": found.value,
+        "q": found.q.tolist(),
+        "rank": rank,
+        "certain": list(certain),
+        "proved": False,
+    }
 
 
 def _certain(arm: Arm, context: Context, task: str) -> tuple[str, ...]:
@@ -94,17 +139,23 @@ def _certain(arm: Arm, context: Context, task: str) -> tuple[str, ...]:
     statements = []
     if absent:
         names = " and ".join(f"q{i}" for i in absent) if len(absent) < 3 else ", ".join(f"q{i}" for i in absent)
-        statements.append(f"H does not depend on {names}: {'it does' if len(absent) == 1 else 'they do'} not appear in the "
-                          "derived formula, so singular configurations come in whole families.")
+        statements.append(
+            f"H does not depend on {names}: {'it does' if len(absent) == 1 else 'they do'} not appear in the "
+            "derived formula, so singular configurations come in whole families."
+        )
     rows = arm.tasks[task]
     if arm.n > rows:
-        statements.append(f"The arm is singular only where all {math.comb(arm.n, rows)} maximal minors vanish together.")
+        statements.append(
+            f"The arm is singular only where all {math.comb(arm.n, rows)} maximal minors vanish together."
+        )
     else:
         statements.append("The arm is singular exactly where the determinant of its Jacobian vanishes.")
     if f"minors_{task}" in programs:
         zero = sum(e == 0 for e in programs[f"minors_{task}"].outputs[0].expressions)
         if zero:
-            statements.append(f"{zero} of the minors are zero in every configuration, so {math.comb(arm.n, rows) - zero} decide.")
+            statements.append(
+                f"{zero} of the minors are zero in every configuration, so {math.comb(arm.n, rows) - zero} decide."
+            )
     return tuple(statements)
 
 

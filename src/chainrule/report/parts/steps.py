@@ -17,6 +17,10 @@ def step_list(program: Any, summary: str, outputs: bool = True) -> Details:
     lines = tuple(mathml.symbol_equation(str(step.symbol), step.expression) for step in shown)
     blocks: list[Block] = [Formulas(lines, summary)]
     if len(program.steps) > len(shown):
-        blocks.append(Prose(f"{len(program.steps) - len(shown)} further steps are left out here; all of them are in the "
-                            "generated code."))
+        blocks.append(
+            Prose(
+                f"{len(program.steps) - len(shown)} further steps are left out here; all of them are in the "
+                "generated code."
+            )
+        )
     return Details(f"{summary} ({len(program.steps)})", tuple(blocks))

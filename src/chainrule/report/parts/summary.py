@@ -36,8 +36,10 @@ def _joints(arm: Arm) -> str:
 def _redundancy(arm: Arm, context: Context) -> str:
     task = context.task
     if task is None:
-        return (f"With {plural(arm.n, 'joint')} it cannot control any of the tasks fully, so this report leaves out what "
-                "needs a task with no more rows than joints.")
+        return (
+            f"With {plural(arm.n, 'joint')} it cannot control any of the tasks fully, so this report leaves out what "
+            "needs a task with no more rows than joints."
+        )
     rows = arm.tasks[task]
     spare = arm.n - rows
     if task == "pose":
@@ -48,8 +50,10 @@ def _redundancy(arm: Arm, context: Context) -> str:
         controlled = "the position"
     if spare == 0:
         return f"They control {controlled} of the tip ({plural(rows, 'number')}), with no joint to spare."
-    return (f"They control {controlled} of the tip ({plural(rows, 'number')}), with {plural(spare, 'joint')} to spare: "
-            "the arm is redundant, and can move without moving its tip.")
+    return (
+        f"They control {controlled} of the tip ({plural(rows, 'number')}), with {plural(spare, 'joint')} to spare: "
+        "the arm is redundant, and can move without moving its tip."
+    )
 
 
 def _build(arm: Arm, context: Context) -> Part:
@@ -58,27 +62,35 @@ def _build(arm: Arm, context: Context) -> Part:
     reach, table = context.reach, context.functions
     operations = sum(row[3] for row in table.rows if isinstance(row[3], int))
     blocks: list[Finding | Facts | Prose] = [
-        Prose(f"{arm.name} is an arm with {_joints(arm)} that moves {where}. {_redundancy(arm, context)}")]
+        Prose(f"{arm.name} is an arm with {_joints(arm)} that moves {where}. {_redundancy(arm, context)}")
+    ]
     pairs = [("joints", f"{arm.n} ({arm.kinds})")]
     if context.task is not None:
-        size = unit(arm, context.task)
-        text = f"{context.maximum.value:.4g}" + ("" if size.text == "1" else f" {size.text}" if not size.mixed else "")
-        pairs += [("task", f"{context.task}, {arm.tasks[context.task]} rows"),
-                  ("largest manipulability H", text)]
-    pairs.append(("reach from the base", f"{readable(reach.farthest.value, 5)} m"
-                  if math.isfinite(reach.bound) else "unlimited"))
+        text = f"{context.maximum.value:.4g}{unit(arm, context.task).suffix}"
+        pairs += [("task", f"{context.task}, {arm.tasks[context.task]} rows"), ("largest manipulability H", text)]
+    pairs.append(
+        ("reach from the base", f"{readable(reach.farthest.value, 5)} m" if math.isfinite(reach.bound) else "unlimited")
+    )
     pairs.append(("generated functions", f"{len(table.rows)}, {readable(operations)} operations"))
     failed = [check for check in context.checks if not check.passed]
     total = len(context.checks)
     pairs.append(("checks", f"{total - len(failed)} of {total} passed"))
     blocks.append(Facts(tuple(pairs)))
     if failed:
-        blocks.append(Finding(f"{len(failed)} of {total} checks failed: see the last section before using the numbers "
-                              "on this page.", good=False))
+        blocks.append(
+            Finding(
+                f"{len(failed)} of {total} checks failed: see the last section before using the numbers on this page.",
+                good=False,
+            )
+        )
     else:
         worst = max((c for c in context.checks if c.bound <= 1e-9), key=lambda c: c.worst)
-        blocks.append(Finding(f"All {total} checks of the generated code passed; the worst error in double precision is "
-                              f"{readable(worst.worst, 2)}."))
+        blocks.append(
+            Finding(
+                f"All {total} checks of the generated code passed; the worst error in double precision is "
+                f"{readable(worst.worst, 2)}."
+            )
+        )
     return Part(tuple(blocks), {"name": arm.name, "kinds": arm.kinds, "task": context.task})
 
 
