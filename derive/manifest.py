@@ -132,8 +132,10 @@ def read(generated: Path) -> dict[str, Any]:
         manifest = json.loads((generated / "manifest.json").read_text("utf-8"))
     except (OSError, ValueError):
         manifest = {}
-    if not isinstance(manifest, dict) or manifest.get("schema") != SCHEMA:
-        manifest = {"schema": SCHEMA, "arms": {}, "shared": {}, "units": {}}
+    parts = ("arms", "shared", "units")
+    ours = isinstance(manifest, dict) and manifest.get("schema") == SCHEMA
+    if not ours or not all(isinstance(manifest.get(part), dict) for part in parts):
+        manifest = {"schema": SCHEMA} | {part: {} for part in parts}
     return manifest
 
 

@@ -33,25 +33,94 @@ CR_INLINE void chainrule_gather(real *restrict tile, int width, int count, const
     }
 }
 
+/* One configuration's entries, from the tile's lane i. Four loads before four stores: faster, as they cannot overlap. */
+CR_INLINE void chainrule_row(const real *restrict tile, int width, int i, real *restrict entry, int size)
+{
+    int k = 0;
+    for (; k + 4 <= size; k += 4) {
+        const real a = tile[k * width + i], b = tile[(k + 1) * width + i];
+        const real c = tile[(k + 2) * width + i], d = tile[(k + 3) * width + i];
+        entry[k] = a;
+        entry[k + 1] = b;
+        entry[k + 2] = c;
+        entry[k + 3] = d;
+    }
+    for (; k < size; ++k) {
+        entry[k] = tile[k * width + i];
+    }
+}
+
+/* Results too many for any cache are written past the caches: nothing is read in only to be overwritten. */
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#include <string.h>
+#define CR_STREAM_BYTES ((ptrdiff_t)32 << 20)
+#define CR_STREAM_ROWS 16
+#define CR_STREAM_LEAST 12
+#define CR_STREAM_MOST 64
+
+CR_INLINE int chainrule_streams(ptrdiff_t count, int size)
+{
+    return count * size * (ptrdiff_t)sizeof(real) >= CR_STREAM_BYTES;
+}
+
+CR_INLINE void chainrule_stream(char *to, const char *from, ptrdiff_t bytes)
+{
+    ptrdiff_t head = (ptrdiff_t)(-(uintptr_t)to & 63u); /* whole lines only; the ends as usual */
+    head = head < bytes ? head : bytes;
+    memcpy(to, from, (size_t)head);
+    ptrdiff_t k = head;
+    for (; k + 64 <= bytes; k += 64) {
+        for (int part = 0; part < 64; part += 16) {
+            _mm_stream_si128((__m128i *)(void *)(to + k + part), _mm_loadu_si128((const __m128i *)(const void *)(from + k + part)));
+        }
+    }
+    memcpy(to + k, from + k, (size_t)(bytes - k));
+}
+
+/* After the last tile: what was streamed is visible before what follows. */
+CR_INLINE void chainrule_settle(int streamed)
+{
+    if (streamed) {
+        _mm_sfence();
+    }
+}
+#else
+CR_INLINE int chainrule_streams(ptrdiff_t count, int size)
+{
+    (void)count;
+    (void)size;
+    return 0;
+}
+
+CR_INLINE void chainrule_settle(int streamed)
+{
+    (void)streamed;
+}
+#endif
+
 /* The tile's entries out to `count` configurations. */
 CR_INLINE void chainrule_scatter(const real *restrict tile, int width, int count, char *to, ptrdiff_t outer, int rows,
-                                 int cols, ptrdiff_t row_step, ptrdiff_t col_step)
+                                 int cols, ptrdiff_t row_step, ptrdiff_t col_step, int streaming)
 {
+    const int size = rows * cols;
     if (col_step == (ptrdiff_t)sizeof(real) && row_step == cols * (ptrdiff_t)sizeof(real)) {
+#if defined(__SSE2__)
+        if (streaming && size >= CR_STREAM_LEAST && size <= CR_STREAM_MOST && outer == size * (ptrdiff_t)sizeof(real)) {
+            real staged[CR_STREAM_ROWS * CR_STREAM_MOST];
+            for (int i = 0; i < count; i += CR_STREAM_ROWS) {
+                const int rest = count - i < CR_STREAM_ROWS ? count - i : CR_STREAM_ROWS;
+                for (int j = 0; j < rest; ++j) {
+                    chainrule_row(tile, width, i + j, staged + j * size, size);
+                }
+                chainrule_stream(to + i * outer, (const char *)staged, rest * outer);
+            }
+            return;
+        }
+#endif
+        (void)streaming;
         for (int i = 0; i < count; ++i) {
-            real *entry = (real *)(void *)(to + i * outer);
-            int k = 0;
-            for (; k + 4 <= rows * cols; k += 4) { /* four loads before four stores: faster, as they cannot overlap */
-                const real a = tile[k * width + i], b = tile[(k + 1) * width + i];
-                const real c = tile[(k + 2) * width + i], d = tile[(k + 3) * width + i];
-                entry[k] = a;
-                entry[k + 1] = b;
-                entry[k + 2] = c;
-                entry[k + 3] = d;
-            }
-            for (; k < rows * cols; ++k) {
-                entry[k] = tile[k * width + i];
-            }
+            chainrule_row(tile, width, i, (real *)(void *)(to + i * outer), size);
         }
         return;
     }

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 8a80525ac7629981384f6cb702932a7237dbbd3428a21fe8bc8242dcc6eaa667. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e";
+const char crx10ial_kinematics_digest[] = "8a80525ac7629981384f6cb702932a7237dbbd3428a21fe8bc8242dcc6eaa667";
 #endif
 
 #define LANES 64
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(crx10ial_position_batch)(ptrdiff_t count, char *const *args,
 {
     real q[6 * 64];
     real position[3 * 64];
+    const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_position_one(q, position);
-            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_position_tile(q, position);
-            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_pose)(const real *q, real *pose)
@@ -56,19 +58,21 @@ void CHAINRULE_NAME(crx10ial_pose_batch)(ptrdiff_t count, char *const *args, con
 {
     real q[6 * 64];
     real pose[16 * 64];
+    const int streaming = chainrule_streams(count, 16);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_pose_one(q, pose);
-            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_pose_tile(q, pose);
-            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_jacobian_position)(const real *q, real *jacobian)
@@ -80,19 +84,21 @@ void CHAINRULE_NAME(crx10ial_jacobian_position_batch)(ptrdiff_t count, char *con
 {
     real q[6 * 64];
     real jacobian[18 * 64];
+    const int streaming = chainrule_streams(count, 18);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_jacobian_position_one(q, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_jacobian_position_tile(q, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_jacobian_pose)(const real *q, real *jacobian)
@@ -104,19 +110,21 @@ void CHAINRULE_NAME(crx10ial_jacobian_pose_batch)(ptrdiff_t count, char *const *
 {
     real q[6 * 64];
     real jacobian[36 * 64];
+    const int streaming = chainrule_streams(count, 36);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_jacobian_pose_one(q, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_jacobian_pose_tile(q, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_kinematics_position)(const real *q, real *position, real *jacobian)
@@ -129,21 +137,23 @@ void CHAINRULE_NAME(crx10ial_kinematics_position_batch)(ptrdiff_t count, char *c
     real q[6 * 64];
     real position[3 * 64];
     real jacobian[18 * 64];
+    const int streaming = chainrule_streams(count, 21);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             crx10ial_kinematics_position_one(q, position, jacobian);
-            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6]);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], 0);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             crx10ial_kinematics_position_tile(q, position, jacobian);
-            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6]);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_kinematics_pose)(const real *q, real *pose, real *jacobian)
@@ -156,19 +166,21 @@ void CHAINRULE_NAME(crx10ial_kinematics_pose_batch)(ptrdiff_t count, char *const
     real q[6 * 64];
     real pose[16 * 64];
     real jacobian[36 * 64];
+    const int streaming = chainrule_streams(count, 52);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             crx10ial_kinematics_pose_one(q, pose, jacobian);
-            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7]);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], 0);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             crx10ial_kinematics_pose_tile(q, pose, jacobian);
-            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7]);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 8a80525ac7629981384f6cb702932a7237dbbd3428a21fe8bc8242dcc6eaa667. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

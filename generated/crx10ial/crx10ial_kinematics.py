@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8dc59ef65766836fb0a4e1cdf222f7ce2087cdcf371067be986fbcde86e51a6e.
+Made from templates/kernel.py.j2; inputs 8a80525ac7629981384f6cb702932a7237dbbd3428a21fe8bc8242dcc6eaa667.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84.
+Made from templates/kernel.py.j2; inputs 5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84";
+const char crx10ial_position_digest[] = "5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd";
 #endif
 
 #define LANES 64
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(crx10ial_manipulability_position_batch)(ptrdiff_t count, cha
 {
     real q[6 * 64];
     real manipulability[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_manipulability_position_one(q, manipulability);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_manipulability_position_tile(q, manipulability);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_manipulability_gradient_position)(const real *q, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
@@ -59,25 +61,27 @@ void CHAINRULE_NAME(crx10ial_manipulability_gradient_position_batch)(ptrdiff_t c
     real gradient[6 * 64];
     real inverse_gradient[6 * 64];
     real inverse_root_gradient[6 * 64];
+    const int streaming = chainrule_streams(count, 19);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             crx10ial_manipulability_gradient_position_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], 0);
+            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7], 0);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             crx10ial_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
+            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7], streaming);
+            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_minors_position)(const real *q, real *minors)
@@ -89,19 +93,21 @@ void CHAINRULE_NAME(crx10ial_minors_position_batch)(ptrdiff_t count, char *const
 {
     real q[6 * 64];
     real minors[20 * 64];
+    const int streaming = chainrule_streams(count, 20);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_minors_position_one(q, minors);
-            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3]);
+            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_minors_position_tile(q, minors);
-            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3]);
+            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(crx10ial_null_projector_position)(const real *q, real *null_projector)
@@ -113,17 +119,19 @@ void CHAINRULE_NAME(crx10ial_null_projector_position_batch)(ptrdiff_t count, cha
 {
     real q[6 * 64];
     real null_projector[36 * 64];
+    const int streaming = chainrule_streams(count, 36);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_null_projector_position_one(q, null_projector);
-            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             crx10ial_null_projector_position_tile(q, null_projector);
-            chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4]);
+            chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

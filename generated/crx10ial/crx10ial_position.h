@@ -1,5 +1,5 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 137a5d2231f7570dcb177a5780a64a939950a71fdd5b989aa323bf40bdc6bd84. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

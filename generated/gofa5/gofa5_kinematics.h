@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 4c89d2e223328bb45d5e799cc1950e5927d1bb63f3518ae348cec976eeb2274e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs a9d6a6d36a5d849f3c904c82a06a6b1d732c1af8ca584546993d4c337258fd2a. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

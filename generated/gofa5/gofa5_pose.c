@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 1212c8e72e0806cda6d05674214a514485e87bf35055bebc5439ce2df5fddff2. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 367f6f1951648fdf917a5a30e18ddc29555b1539652c1cbe8d22f604af252066. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "1212c8e72e0806cda6d05674214a514485e87bf35055bebc5439ce2df5fddff2";
+const char gofa5_pose_digest[] = "367f6f1951648fdf917a5a30e18ddc29555b1539652c1cbe8d22f604af252066";
 #endif
 
 #define LANES 64
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(gofa5_manipulability_pose_batch)(ptrdiff_t count, char *cons
 {
     real q[6 * 64];
     real manipulability[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             gofa5_manipulability_pose_one(q, manipulability);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             gofa5_manipulability_pose_tile(q, manipulability);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(gofa5_manipulability_gradient_pose)(const real *q, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
@@ -59,25 +61,27 @@ void CHAINRULE_NAME(gofa5_manipulability_gradient_pose_batch)(ptrdiff_t count, c
     real gradient[6 * 64];
     real inverse_gradient[6 * 64];
     real inverse_root_gradient[6 * 64];
+    const int streaming = chainrule_streams(count, 19);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             gofa5_manipulability_gradient_pose_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], 0);
+            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7], 0);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             gofa5_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
+            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7], streaming);
+            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(gofa5_minors_pose)(const real *q, real *minors)
@@ -89,17 +93,19 @@ void CHAINRULE_NAME(gofa5_minors_pose_batch)(ptrdiff_t count, char *const *args,
 {
     real q[6 * 64];
     real minors[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             gofa5_minors_pose_one(q, minors);
-            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3]);
+            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             gofa5_minors_pose_tile(q, minors);
-            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3]);
+            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

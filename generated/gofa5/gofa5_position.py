@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1212c8e72e0806cda6d05674214a514485e87bf35055bebc5439ce2df5fddff2.
+Made from templates/kernel.py.j2; inputs 367f6f1951648fdf917a5a30e18ddc29555b1539652c1cbe8d22f604af252066.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs c88b2cb12b3575650835962723e5f01096a8c04e10f400a4c60a26ecd9c7b7dc. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 0e19807a948debdfb9a4e2116fde799f928ea9497e198e248f80e206177e8d08. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

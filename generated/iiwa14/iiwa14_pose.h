@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs baa9c9ee08ac0512cd7d5b07f0a56ba73e8075a9f459533f53574e478da8df51. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 90acaa5d693f0a3d1e782afa0a7bcbae331eed8d813b7cfb6042da6b2f52c0a9. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs baa9c9ee08ac0512cd7d5b07f0a56ba73e8075a9f459533f53574e478da8df51.
+Made from templates/kernel.py.j2; inputs 90acaa5d693f0a3d1e782afa0a7bcbae331eed8d813b7cfb6042da6b2f52c0a9.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs 5f665f91e3db4ad2321c796607e1df5b4621dddae34e31eeaf260e85a9e01ebb. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 0f1e57d614e3bc904e3ac2f3ec4f90723239ffb397fb3945537ddfce036dd4f9. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

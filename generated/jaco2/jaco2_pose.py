@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 00147e2ee08455a105767eae0722d9db73301813f1802f400080196f3bd8b23c.
+Made from templates/kernel.py.j2; inputs 3f4d0378f24f3a0050f618e4b5d90522e175618a222e3c0a0893703db676513d.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

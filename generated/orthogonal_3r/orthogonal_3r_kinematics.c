@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 8fbbba3ea678a0a3637bfde45c6a7f38d04b2d563fafdcd5445096dd62256938. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "8fbbba3ea678a0a3637bfde45c6a7f38d04b2d563fafdcd5445096dd62256938";
+const char orthogonal_3r_kinematics_digest[] = "5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f";
 #endif
 
 #define LANES 64
@@ -33,6 +33,7 @@ void CHAINRULE_NAME(orthogonal_3r_position_batch)(ptrdiff_t count, char *const *
     real q[3 * 64];
     real parameters[4 * 64];
     real position[3 * 64];
+    const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -40,15 +41,16 @@ void CHAINRULE_NAME(orthogonal_3r_position_batch)(ptrdiff_t count, char *const *
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_position_one(q, parameters, position);
-            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_position_tile(q, parameters, position);
-            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(orthogonal_3r_pose)(const real *q, const real *parameters, real *pose)
@@ -61,6 +63,7 @@ void CHAINRULE_NAME(orthogonal_3r_pose_batch)(ptrdiff_t count, char *const *args
     real q[3 * 64];
     real parameters[4 * 64];
     real pose[16 * 64];
+    const int streaming = chainrule_streams(count, 16);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -68,15 +71,16 @@ void CHAINRULE_NAME(orthogonal_3r_pose_batch)(ptrdiff_t count, char *const *args
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_pose_one(q, parameters, pose);
-            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6]);
+            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_pose_tile(q, parameters, pose);
-            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6]);
+            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(orthogonal_3r_jacobian_position)(const real *q, const real *parameters, real *jacobian)
@@ -89,6 +93,7 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_position_batch)(ptrdiff_t count, char
     real q[3 * 64];
     real parameters[4 * 64];
     real jacobian[9 * 64];
+    const int streaming = chainrule_streams(count, 9);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -96,15 +101,16 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_position_batch)(ptrdiff_t count, char
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_jacobian_position_one(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_jacobian_position_tile(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(orthogonal_3r_jacobian_pose)(const real *q, const real *parameters, real *jacobian)
@@ -117,6 +123,7 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_pose_batch)(ptrdiff_t count, char *co
     real q[3 * 64];
     real parameters[4 * 64];
     real jacobian[18 * 64];
+    const int streaming = chainrule_streams(count, 18);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -124,15 +131,16 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_pose_batch)(ptrdiff_t count, char *co
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_jacobian_pose_one(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             orthogonal_3r_jacobian_pose_tile(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(orthogonal_3r_kinematics_position)(const real *q, const real *parameters, real *position, real *jacobian)
@@ -146,6 +154,7 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_position_batch)(ptrdiff_t count, ch
     real parameters[4 * 64];
     real position[3 * 64];
     real jacobian[9 * 64];
+    const int streaming = chainrule_streams(count, 12);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -153,17 +162,18 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_position_batch)(ptrdiff_t count, ch
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             orthogonal_3r_kinematics_position_one(q, parameters, position, jacobian);
-            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6]);
-            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8]);
+            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6], 0);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             orthogonal_3r_kinematics_position_tile(q, parameters, position, jacobian);
-            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6]);
-            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8]);
+            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(orthogonal_3r_kinematics_pose)(const real *q, const real *parameters, real *pose, real *jacobian)
@@ -177,6 +187,7 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_pose_batch)(ptrdiff_t count, char *
     real parameters[4 * 64];
     real pose[16 * 64];
     real jacobian[18 * 64];
+    const int streaming = chainrule_streams(count, 34);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -184,15 +195,16 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_pose_batch)(ptrdiff_t count, char *
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             orthogonal_3r_kinematics_pose_one(q, parameters, pose, jacobian);
-            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7]);
-            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9]);
+            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7], 0);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             orthogonal_3r_kinematics_pose_tile(q, parameters, pose, jacobian);
-            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7]);
-            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9]);
+            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

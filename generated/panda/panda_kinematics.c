@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 8d15438dcb73df55fe4c7dda4731ac7632d199757754c8c07be300391243fd04. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 7d02cf0e8a01f2f7df48fd4b61471606acae6166796ceba4a0d55b4edf45bffc. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "8d15438dcb73df55fe4c7dda4731ac7632d199757754c8c07be300391243fd04";
+const char panda_kinematics_digest[] = "7d02cf0e8a01f2f7df48fd4b61471606acae6166796ceba4a0d55b4edf45bffc";
 #endif
 
 #define LANES 64
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(panda_position_batch)(ptrdiff_t count, char *const *args, co
 {
     real q[7 * 64];
     real position[3 * 64];
+    const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_position_one(q, position);
-            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_position_tile(q, position);
-            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_pose)(const real *q, real *pose)
@@ -56,19 +58,21 @@ void CHAINRULE_NAME(panda_pose_batch)(ptrdiff_t count, char *const *args, const 
 {
     real q[7 * 64];
     real pose[16 * 64];
+    const int streaming = chainrule_streams(count, 16);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_pose_one(q, pose);
-            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_pose_tile(q, pose);
-            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_jacobian_position)(const real *q, real *jacobian)
@@ -80,19 +84,21 @@ void CHAINRULE_NAME(panda_jacobian_position_batch)(ptrdiff_t count, char *const 
 {
     real q[7 * 64];
     real jacobian[21 * 64];
+    const int streaming = chainrule_streams(count, 21);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_jacobian_position_one(q, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_jacobian_position_tile(q, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_jacobian_pose)(const real *q, real *jacobian)
@@ -104,19 +110,21 @@ void CHAINRULE_NAME(panda_jacobian_pose_batch)(ptrdiff_t count, char *const *arg
 {
     real q[7 * 64];
     real jacobian[42 * 64];
+    const int streaming = chainrule_streams(count, 42);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_jacobian_pose_one(q, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_jacobian_pose_tile(q, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_kinematics_position)(const real *q, real *position, real *jacobian)
@@ -129,21 +137,23 @@ void CHAINRULE_NAME(panda_kinematics_position_batch)(ptrdiff_t count, char *cons
     real q[7 * 64];
     real position[3 * 64];
     real jacobian[21 * 64];
+    const int streaming = chainrule_streams(count, 24);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             panda_kinematics_position_one(q, position, jacobian);
-            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6]);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], 0);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             panda_kinematics_position_tile(q, position, jacobian);
-            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6]);
+            chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_kinematics_pose)(const real *q, real *pose, real *jacobian)
@@ -156,19 +166,21 @@ void CHAINRULE_NAME(panda_kinematics_pose_batch)(ptrdiff_t count, char *const *a
     real q[7 * 64];
     real pose[16 * 64];
     real jacobian[42 * 64];
+    const int streaming = chainrule_streams(count, 58);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             panda_kinematics_pose_one(q, pose, jacobian);
-            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7]);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], 0);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             panda_kinematics_pose_tile(q, pose, jacobian);
-            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7]);
+            chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

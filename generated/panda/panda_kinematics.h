@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 8d15438dcb73df55fe4c7dda4731ac7632d199757754c8c07be300391243fd04. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 7d02cf0e8a01f2f7df48fd4b61471606acae6166796ceba4a0d55b4edf45bffc. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

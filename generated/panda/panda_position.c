@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 8043a8cdb598499d21d04bb317b5b20ce3b5388fb8b8c1db0fe45e305e2cfecd. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 89b6b14457ba417a3c278ed22728dccde40292f728cbca181a197869ad9bcc76. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "8043a8cdb598499d21d04bb317b5b20ce3b5388fb8b8c1db0fe45e305e2cfecd";
+const char panda_position_digest[] = "89b6b14457ba417a3c278ed22728dccde40292f728cbca181a197869ad9bcc76";
 #endif
 
 #define LANES 64
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(panda_manipulability_position_batch)(ptrdiff_t count, char *
 {
     real q[7 * 64];
     real manipulability[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_manipulability_position_one(q, manipulability);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_manipulability_position_tile(q, manipulability);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_manipulability_gradient_position)(const real *q, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
@@ -59,25 +61,27 @@ void CHAINRULE_NAME(panda_manipulability_gradient_position_batch)(ptrdiff_t coun
     real gradient[7 * 64];
     real inverse_gradient[7 * 64];
     real inverse_root_gradient[7 * 64];
+    const int streaming = chainrule_streams(count, 22);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[5], steps[5]);
             panda_manipulability_gradient_position_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 7, 7 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[6], steps[6], 0);
+            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[7], steps[7], 0);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 7, 7 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[5], steps[5]);
             panda_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 7, 7 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[6], steps[6], streaming);
+            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[7], steps[7], streaming);
+            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 7, 7 * steps[8], steps[8], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_minors_position)(const real *q, real *minors)
@@ -89,19 +93,21 @@ void CHAINRULE_NAME(panda_minors_position_batch)(ptrdiff_t count, char *const *a
 {
     real q[7 * 64];
     real minors[35 * 64];
+    const int streaming = chainrule_streams(count, 35);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_minors_position_one(q, minors);
-            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 35, 35 * steps[3], steps[3]);
+            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 35, 35 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_minors_position_tile(q, minors);
-            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 35, 35 * steps[3], steps[3]);
+            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 35, 35 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(panda_null_projector_position)(const real *q, real *null_projector)
@@ -113,17 +119,19 @@ void CHAINRULE_NAME(panda_null_projector_position_batch)(ptrdiff_t count, char *
 {
     real q[7 * 64];
     real null_projector[49 * 64];
+    const int streaming = chainrule_streams(count, 49);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_null_projector_position_one(q, null_projector);
-            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 7, 7, steps[3], steps[4]);
+            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 7, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             panda_null_projector_position_tile(q, null_projector);
-            chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 7, 7, steps[3], steps[4]);
+            chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 7, 7, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8043a8cdb598499d21d04bb317b5b20ce3b5388fb8b8c1db0fe45e305e2cfecd.
+Made from templates/kernel.py.j2; inputs 89b6b14457ba417a3c278ed22728dccde40292f728cbca181a197869ad9bcc76.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.c: kinematics of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 1e1f0abfb59c58d6b8287dc829bfdd83e8d0254100b35215d8f226cf2735eee0. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_kinematics_digest[] = "1e1f0abfb59c58d6b8287dc829bfdd83e8d0254100b35215d8f226cf2735eee0";
+const char planar_rrr_kinematics_digest[] = "c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07";
 #endif
 
 #define LANES 64
@@ -33,6 +33,7 @@ void CHAINRULE_NAME(planar_rrr_position_batch)(ptrdiff_t count, char *const *arg
     real q[3 * 64];
     real parameters[3 * 64];
     real position[2 * 64];
+    const int streaming = chainrule_streams(count, 2);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -40,15 +41,16 @@ void CHAINRULE_NAME(planar_rrr_position_batch)(ptrdiff_t count, char *const *arg
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_position_one(q, parameters, position);
-            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5]);
+            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_position_tile(q, parameters, position);
-            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5]);
+            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_pose)(const real *q, const real *parameters, real *pose)
@@ -61,6 +63,7 @@ void CHAINRULE_NAME(planar_rrr_pose_batch)(ptrdiff_t count, char *const *args, c
     real q[3 * 64];
     real parameters[3 * 64];
     real pose[9 * 64];
+    const int streaming = chainrule_streams(count, 9);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -68,15 +71,16 @@ void CHAINRULE_NAME(planar_rrr_pose_batch)(ptrdiff_t count, char *const *args, c
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_pose_one(q, parameters, pose);
-            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_pose_tile(q, parameters, pose);
-            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_jacobian_position)(const real *q, const real *parameters, real *jacobian)
@@ -89,6 +93,7 @@ void CHAINRULE_NAME(planar_rrr_jacobian_position_batch)(ptrdiff_t count, char *c
     real q[3 * 64];
     real parameters[3 * 64];
     real jacobian[6 * 64];
+    const int streaming = chainrule_streams(count, 6);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -96,15 +101,16 @@ void CHAINRULE_NAME(planar_rrr_jacobian_position_batch)(ptrdiff_t count, char *c
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_position_one(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_position_tile(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_jacobian_x_alpha)(const real *q, const real *parameters, real *jacobian)
@@ -117,6 +123,7 @@ void CHAINRULE_NAME(planar_rrr_jacobian_x_alpha_batch)(ptrdiff_t count, char *co
     real q[3 * 64];
     real parameters[3 * 64];
     real jacobian[6 * 64];
+    const int streaming = chainrule_streams(count, 6);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -124,15 +131,16 @@ void CHAINRULE_NAME(planar_rrr_jacobian_x_alpha_batch)(ptrdiff_t count, char *co
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_x_alpha_one(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_x_alpha_tile(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_jacobian_pose)(const real *q, const real *parameters, real *jacobian)
@@ -145,6 +153,7 @@ void CHAINRULE_NAME(planar_rrr_jacobian_pose_batch)(ptrdiff_t count, char *const
     real q[3 * 64];
     real parameters[3 * 64];
     real jacobian[9 * 64];
+    const int streaming = chainrule_streams(count, 9);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -152,15 +161,16 @@ void CHAINRULE_NAME(planar_rrr_jacobian_pose_batch)(ptrdiff_t count, char *const
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_pose_one(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_jacobian_pose_tile(q, parameters, jacobian);
-            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_kinematics_position)(const real *q, const real *parameters, real *position, real *jacobian)
@@ -174,6 +184,7 @@ void CHAINRULE_NAME(planar_rrr_kinematics_position_batch)(ptrdiff_t count, char 
     real parameters[3 * 64];
     real position[2 * 64];
     real jacobian[6 * 64];
+    const int streaming = chainrule_streams(count, 8);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -181,17 +192,18 @@ void CHAINRULE_NAME(planar_rrr_kinematics_position_batch)(ptrdiff_t count, char 
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_position_one(q, parameters, position, jacobian);
-            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
-            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8]);
+            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6], 0);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_position_tile(q, parameters, position, jacobian);
-            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
-            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8]);
+            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_kinematics_x_alpha)(const real *q, const real *parameters, real *pose, real *jacobian)
@@ -205,6 +217,7 @@ void CHAINRULE_NAME(planar_rrr_kinematics_x_alpha_batch)(ptrdiff_t count, char *
     real parameters[3 * 64];
     real pose[9 * 64];
     real jacobian[6 * 64];
+    const int streaming = chainrule_streams(count, 15);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -212,17 +225,18 @@ void CHAINRULE_NAME(planar_rrr_kinematics_x_alpha_batch)(ptrdiff_t count, char *
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_x_alpha_one(q, parameters, pose, jacobian);
-            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7]);
-            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9]);
+            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], 0);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_x_alpha_tile(q, parameters, pose, jacobian);
-            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7]);
-            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9]);
+            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_kinematics_pose)(const real *q, const real *parameters, real *pose, real *jacobian)
@@ -236,6 +250,7 @@ void CHAINRULE_NAME(planar_rrr_kinematics_pose_batch)(ptrdiff_t count, char *con
     real parameters[3 * 64];
     real pose[9 * 64];
     real jacobian[9 * 64];
+    const int streaming = chainrule_streams(count, 18);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -243,17 +258,18 @@ void CHAINRULE_NAME(planar_rrr_kinematics_pose_batch)(ptrdiff_t count, char *con
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_pose_one(q, parameters, pose, jacobian);
-            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7]);
-            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9]);
+            chainrule_scatter(pose, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], 0);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             planar_rrr_kinematics_pose_tile(q, parameters, pose, jacobian);
-            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7]);
-            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9]);
+            chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_survey_position)(const real *q, const real *parameters, real *position, real *jacobian, real *manipulability)
@@ -268,6 +284,7 @@ void CHAINRULE_NAME(planar_rrr_survey_position_batch)(ptrdiff_t count, char *con
     real position[2 * 64];
     real jacobian[6 * 64];
     real manipulability[1 * 64];
+    const int streaming = chainrule_streams(count, 9);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -275,17 +292,18 @@ void CHAINRULE_NAME(planar_rrr_survey_position_batch)(ptrdiff_t count, char *con
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[5], steps[5]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
             planar_rrr_survey_position_one(q, parameters, position, jacobian, manipulability);
-            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[7], steps[7]);
-            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9]);
-            chainrule_scatter(manipulability, 1, 1, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(position, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[7], steps[7], 0);
+            chainrule_scatter(jacobian, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], 0);
+            chainrule_scatter(manipulability, 1, 1, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[5], steps[5]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
             planar_rrr_survey_position_tile(q, parameters, position, jacobian, manipulability);
-            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[7], steps[7]);
-            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9]);
-            chainrule_scatter(manipulability, 64, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[7], steps[7], streaming);
+            chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], streaming);
+            chainrule_scatter(manipulability, 64, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
+    chainrule_settle(streaming);
 }

@@ -1,5 +1,5 @@
 /* planar_rrr_position.c: manipulability (position) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 1e1f0abfb59c58d6b8287dc829bfdd83e8d0254100b35215d8f226cf2735eee0. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_position_digest[] = "1e1f0abfb59c58d6b8287dc829bfdd83e8d0254100b35215d8f226cf2735eee0";
+const char planar_rrr_position_digest[] = "c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07";
 #endif
 
 #define LANES 64
@@ -33,6 +33,7 @@ void CHAINRULE_NAME(planar_rrr_manipulability_position_batch)(ptrdiff_t count, c
     real q[3 * 64];
     real parameters[3 * 64];
     real manipulability[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -40,15 +41,16 @@ void CHAINRULE_NAME(planar_rrr_manipulability_position_batch)(ptrdiff_t count, c
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_manipulability_position_one(q, parameters, manipulability);
-            chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_manipulability_position_tile(q, parameters, manipulability);
-            chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_manipulability_gradient_position)(const real *q, const real *parameters, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
@@ -64,6 +66,7 @@ void CHAINRULE_NAME(planar_rrr_manipulability_gradient_position_batch)(ptrdiff_t
     real gradient[3 * 64];
     real inverse_gradient[3 * 64];
     real inverse_root_gradient[3 * 64];
+    const int streaming = chainrule_streams(count, 10);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -71,21 +74,22 @@ void CHAINRULE_NAME(planar_rrr_manipulability_gradient_position_batch)(ptrdiff_t
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
             planar_rrr_manipulability_gradient_position_one(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
-            chainrule_scatter(inverse_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[9], steps[9]);
-            chainrule_scatter(inverse_root_gradient, 1, 1, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10]);
+            chainrule_scatter(manipulability, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], 0);
+            chainrule_scatter(inverse_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[9], steps[9], 0);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
             planar_rrr_manipulability_gradient_position_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
-            chainrule_scatter(inverse_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[9], steps[9]);
-            chainrule_scatter(inverse_root_gradient, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10]);
+            chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
+            chainrule_scatter(inverse_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[9], steps[9], streaming);
+            chainrule_scatter(inverse_root_gradient, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_minors_position)(const real *q, const real *parameters, real *minors)
@@ -98,6 +102,7 @@ void CHAINRULE_NAME(planar_rrr_minors_position_batch)(ptrdiff_t count, char *con
     real q[3 * 64];
     real parameters[3 * 64];
     real minors[3 * 64];
+    const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -105,15 +110,16 @@ void CHAINRULE_NAME(planar_rrr_minors_position_batch)(ptrdiff_t count, char *con
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_minors_position_one(q, parameters, minors);
-            chainrule_scatter(minors, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+            chainrule_scatter(minors, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_minors_position_tile(q, parameters, minors);
-            chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+            chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_null_vector_position)(const real *q, const real *parameters, real *null_vector)
@@ -126,6 +132,7 @@ void CHAINRULE_NAME(planar_rrr_null_vector_position_batch)(ptrdiff_t count, char
     real q[3 * 64];
     real parameters[3 * 64];
     real null_vector[3 * 64];
+    const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -133,15 +140,16 @@ void CHAINRULE_NAME(planar_rrr_null_vector_position_batch)(ptrdiff_t count, char
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_null_vector_position_one(q, parameters, null_vector);
-            chainrule_scatter(null_vector, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+            chainrule_scatter(null_vector, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_null_vector_position_tile(q, parameters, null_vector);
-            chainrule_scatter(null_vector, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5]);
+            chainrule_scatter(null_vector, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(planar_rrr_null_projector_position)(const real *q, const real *parameters, real *null_projector)
@@ -154,6 +162,7 @@ void CHAINRULE_NAME(planar_rrr_null_projector_position_batch)(ptrdiff_t count, c
     real q[3 * 64];
     real parameters[3 * 64];
     real null_projector[9 * 64];
+    const int streaming = chainrule_streams(count, 9);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
@@ -161,13 +170,14 @@ void CHAINRULE_NAME(planar_rrr_null_projector_position_batch)(ptrdiff_t count, c
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_null_projector_position_one(q, parameters, null_projector);
-            chainrule_scatter(null_projector, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(null_projector, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             planar_rrr_null_projector_position_tile(q, parameters, null_projector);
-            chainrule_scatter(null_projector, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6]);
+            chainrule_scatter(null_projector, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

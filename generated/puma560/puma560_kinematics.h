@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs ac51e8fed78e873538e8404b27b55925092816afcafe35b634a8c5691207eeb3. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 3728c968730f3fdc09aebad7971cc5435cbd22aa997daa37669c3aed9ca159a6. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ac51e8fed78e873538e8404b27b55925092816afcafe35b634a8c5691207eeb3.
+Made from templates/kernel.py.j2; inputs 3728c968730f3fdc09aebad7971cc5435cbd22aa997daa37669c3aed9ca159a6.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

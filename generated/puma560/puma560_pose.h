@@ -1,5 +1,5 @@
 /* puma560_pose.h: manipulability (pose) of puma560.
- * Made from templates/kernel.h.j2; inputs 16700b4fd390ae7f262ab2b659072c380f711a2bc15ee10e9b1bc5c7b71f55d7. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs c9390b64132ee900ac1478400d04fe5adac882b5efb0fc2667467c4fd9e7fc27. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 16700b4fd390ae7f262ab2b659072c380f711a2bc15ee10e9b1bc5c7b71f55d7.
+Made from templates/kernel.py.j2; inputs c9390b64132ee900ac1478400d04fe5adac882b5efb0fc2667467c4fd9e7fc27.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

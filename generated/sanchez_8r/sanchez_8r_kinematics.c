@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs f49b3fe79ed7fbe01b171563132e58af5f508c59b497af1f4ad9889e65296ad6. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs bfc52cd9752df7f5967d600e6e0d004eb6f958a3e942bc5cad1d6023ff9e852a. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_kinematics.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "f49b3fe79ed7fbe01b171563132e58af5f508c59b497af1f4ad9889e65296ad6";
+const char sanchez_8r_kinematics_digest[] = "bfc52cd9752df7f5967d600e6e0d004eb6f958a3e942bc5cad1d6023ff9e852a";
 #endif
 
 #define LANES 32
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(sanchez_8r_position_batch)(ptrdiff_t count, char *const *arg
 {
     real q[8 * 32];
     real position[3 * 32];
+    const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_position_one(q, position);
-            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_position_tile(q, position);
-            chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3]);
+            chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_pose)(const real *q, real *pose)
@@ -56,19 +58,21 @@ void CHAINRULE_NAME(sanchez_8r_pose_batch)(ptrdiff_t count, char *const *args, c
 {
     real q[8 * 32];
     real pose[16 * 32];
+    const int streaming = chainrule_streams(count, 16);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_pose_one(q, pose);
-            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_pose_tile(q, pose);
-            chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4]);
+            chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_jacobian_position)(const real *q, real *jacobian)
@@ -80,19 +84,21 @@ void CHAINRULE_NAME(sanchez_8r_jacobian_position_batch)(ptrdiff_t count, char *c
 {
     real q[8 * 32];
     real jacobian[24 * 32];
+    const int streaming = chainrule_streams(count, 24);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_jacobian_position_one(q, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_jacobian_position_tile(q, jacobian);
-            chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_jacobian_pose)(const real *q, real *jacobian)
@@ -104,19 +110,21 @@ void CHAINRULE_NAME(sanchez_8r_jacobian_pose_batch)(ptrdiff_t count, char *const
 {
     real q[8 * 32];
     real jacobian[48 * 32];
+    const int streaming = chainrule_streams(count, 48);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_jacobian_pose_one(q, jacobian);
-            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_jacobian_pose_tile(q, jacobian);
-            chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4]);
+            chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_kinematics_position)(const real *q, real *position, real *jacobian)
@@ -129,21 +137,23 @@ void CHAINRULE_NAME(sanchez_8r_kinematics_position_batch)(ptrdiff_t count, char 
     real q[8 * 32];
     real position[3 * 32];
     real jacobian[24 * 32];
+    const int streaming = chainrule_streams(count, 27);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
             sanchez_8r_kinematics_position_one(q, position, jacobian);
-            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6]);
+            chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], 0);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
             sanchez_8r_kinematics_position_tile(q, position, jacobian);
-            chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
-            chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6]);
+            chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
+            chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_kinematics_pose)(const real *q, real *pose, real *jacobian)
@@ -156,19 +166,21 @@ void CHAINRULE_NAME(sanchez_8r_kinematics_pose_batch)(ptrdiff_t count, char *con
     real q[8 * 32];
     real pose[16 * 32];
     real jacobian[48 * 32];
+    const int streaming = chainrule_streams(count, 64);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
             sanchez_8r_kinematics_pose_one(q, pose, jacobian);
-            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
-            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7]);
+            chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], 0);
+            chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
             sanchez_8r_kinematics_pose_tile(q, pose, jacobian);
-            chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5]);
-            chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7]);
+            chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
+            chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

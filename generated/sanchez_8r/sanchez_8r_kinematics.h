@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs f49b3fe79ed7fbe01b171563132e58af5f508c59b497af1f4ad9889e65296ad6. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs bfc52cd9752df7f5967d600e6e0d004eb6f958a3e942bc5cad1d6023ff9e852a. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

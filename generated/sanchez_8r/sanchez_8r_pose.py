@@ -1,6 +1,6 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e6bfa8bff96a07e9f3cc41a06670b1ad9c86332d9967ab8c3fedf6d7f9e673b1.
+Made from templates/kernel.py.j2; inputs f23c2935bf33693e36a4a48e15f4494a0fd0bfbfb78290114ae0fa74f69949bd.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

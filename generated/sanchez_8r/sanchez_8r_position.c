@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs e6bfa8bff96a07e9f3cc41a06670b1ad9c86332d9967ab8c3fedf6d7f9e673b1. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs f23c2935bf33693e36a4a48e15f4494a0fd0bfbfb78290114ae0fa74f69949bd. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_position.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "e6bfa8bff96a07e9f3cc41a06670b1ad9c86332d9967ab8c3fedf6d7f9e673b1";
+const char sanchez_8r_position_digest[] = "f23c2935bf33693e36a4a48e15f4494a0fd0bfbfb78290114ae0fa74f69949bd";
 #endif
 
 #define LANES 32
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_position_batch)(ptrdiff_t count, c
 {
     real q[8 * 32];
     real manipulability[1 * 32];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_manipulability_position_one(q, manipulability);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_manipulability_position_tile(q, manipulability);
-            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_position)(const real *q, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
@@ -59,25 +61,27 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_position_batch)(ptrdiff_t
     real gradient[8 * 32];
     real inverse_gradient[8 * 32];
     real inverse_root_gradient[8 * 32];
+    const int streaming = chainrule_streams(count, 25);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
             sanchez_8r_manipulability_gradient_position_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6], 0);
+            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7], 0);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
             sanchez_8r_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 32, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 32, taken, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 32, taken, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(gradient, 32, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6], streaming);
+            chainrule_scatter(inverse_gradient, 32, taken, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7], streaming);
+            chainrule_scatter(inverse_root_gradient, 32, taken, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_minors_position)(const real *q, real *minors)
@@ -89,19 +93,21 @@ void CHAINRULE_NAME(sanchez_8r_minors_position_batch)(ptrdiff_t count, char *con
 {
     real q[8 * 32];
     real minors[56 * 32];
+    const int streaming = chainrule_streams(count, 56);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_minors_position_one(q, minors);
-            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 56, 56 * steps[3], steps[3]);
+            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 56, 56 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_minors_position_tile(q, minors);
-            chainrule_scatter(minors, 32, taken, args[1] + start * steps[1], steps[1], 1, 56, 56 * steps[3], steps[3]);
+            chainrule_scatter(minors, 32, taken, args[1] + start * steps[1], steps[1], 1, 56, 56 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(sanchez_8r_null_projector_position)(const real *q, real *null_projector)
@@ -113,17 +119,19 @@ void CHAINRULE_NAME(sanchez_8r_null_projector_position_batch)(ptrdiff_t count, c
 {
     real q[8 * 32];
     real null_projector[64 * 32];
+    const int streaming = chainrule_streams(count, 64);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_null_projector_position_one(q, null_projector);
-            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4]);
+            chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_null_projector_position_tile(q, null_projector);
-            chainrule_scatter(null_projector, 32, taken, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4]);
+            chainrule_scatter(null_projector, 32, taken, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 50d1b95a7857c914c5b377b0f2589b16008452646331bad286894b16e27bd869.
+Made from templates/kernel.py.j2; inputs 269e1c8925d8a36f5f6fcb2c8e889fcb7375d59bd5ca986b7c89dee8e3a88576.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 6d83f873b7ead27a5a10b06457f3d0b960ca935b00a3072673de4b205abfaf2e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1ae8f3d4b797b1963ecda584a16e78513d70be8ae532becf1586b88b5db8d066. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_pose.h"
@@ -8,7 +8,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "6d83f873b7ead27a5a10b06457f3d0b960ca935b00a3072673de4b205abfaf2e";
+const char ur5e_pose_digest[] = "1ae8f3d4b797b1963ecda584a16e78513d70be8ae532becf1586b88b5db8d066";
 #endif
 
 #define LANES 64
@@ -32,19 +32,21 @@ void CHAINRULE_NAME(ur5e_manipulability_pose_batch)(ptrdiff_t count, char *const
 {
     real q[6 * 64];
     real manipulability[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             ur5e_manipulability_pose_one(q, manipulability);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             ur5e_manipulability_pose_tile(q, manipulability);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(ur5e_manipulability_gradient_pose)(const real *q, real *manipulability, real *gradient, real *inverse_gradient, real *inverse_root_gradient)
@@ -59,25 +61,27 @@ void CHAINRULE_NAME(ur5e_manipulability_gradient_pose_batch)(ptrdiff_t count, ch
     real gradient[6 * 64];
     real inverse_gradient[6 * 64];
     real inverse_root_gradient[6 * 64];
+    const int streaming = chainrule_streams(count, 19);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             ur5e_manipulability_gradient_pose_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(gradient, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], 0);
+            chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7], 0);
+            chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             ur5e_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real));
-            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6]);
-            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7]);
-            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8]);
+            chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
+            chainrule_scatter(inverse_gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 6, 6 * steps[7], steps[7], streaming);
+            chainrule_scatter(inverse_root_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], streaming);
         }
     }
+    chainrule_settle(streaming);
 }
 
 void CHAINRULE_NAME(ur5e_minors_pose)(const real *q, real *minors)
@@ -89,17 +93,19 @@ void CHAINRULE_NAME(ur5e_minors_pose_batch)(ptrdiff_t count, char *const *args, 
 {
     real q[6 * 64];
     real minors[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             ur5e_minors_pose_one(q, minors);
-            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3]);
+            chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             ur5e_minors_pose_tile(q, minors);
-            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3]);
+            chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], streaming);
         }
     }
+    chainrule_settle(streaming);
 }

@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs 6d83f873b7ead27a5a10b06457f3d0b960ca935b00a3072673de4b205abfaf2e. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 1ae8f3d4b797b1963ecda584a16e78513d70be8ae532becf1586b88b5db8d066. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6d83f873b7ead27a5a10b06457f3d0b960ca935b00a3072673de4b205abfaf2e.
+Made from templates/kernel.py.j2; inputs 1ae8f3d4b797b1963ecda584a16e78513d70be8ae532becf1586b88b5db8d066.
 Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

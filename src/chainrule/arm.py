@@ -206,9 +206,10 @@ class Arm:
 
         from chainrule import compile as compiling
 
-        wanted = self.groups if groups is None else groups
+        wanted = tuple(self.groups if groups is None else groups)
         with ThreadPoolExecutor(len(wanted)) as pool:
-            list(pool.map(lambda g: compiling.find(self._description.model, g, progress), wanted))
+            # The last groups take longest to compile, so they begin.
+            list(pool.map(lambda g: compiling.find(self._description.model, g, progress), reversed(wanted)))
         for group in wanted:
             self._evaluators.group(group)
 

@@ -255,8 +255,10 @@ def _null(arm: Arm) -> list[Check]:
         length = np.linalg.norm(null, axis=1)
         scale = np.linalg.norm(jacobian, axis=(1, 2)) * np.maximum(length, 1e-300)
         product = np.linalg.norm((jacobian @ null[:, :, None])[:, :, 0], axis=1) / scale
-        regular = length > 1e-6 * length.max()  # at a singular configuration the direction itself is lost
-        found.append(Check(f"null vector: J N = 0 ({task})", int(regular.sum()), float(product[regular].max()), 1e-9))
+        regular = length > 1e-6 * max(length.max(), 1e-300)  # at a singular configuration the direction itself is lost
+        if regular.any():
+            worst = float(product[regular].max())
+            found.append(Check(f"null vector: J N = 0 ({task})", int(regular.sum()), worst, 1e-9))
     return found
 
 

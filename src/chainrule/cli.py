@@ -403,12 +403,14 @@ def run(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
     warnings.showwarning = _warn
     command = typer.main.get_command(app)
+    words = sys.argv[1:] if arguments is None else list(arguments)
     try:
-        code = command.main(
-            args=None if arguments is None else list(arguments), prog_name="chainrule", standalone_mode=False
-        )
+        with command.make_context("chainrule", words) as context:
+            command.invoke(context)
         sys.stdout.flush()
-        return code if isinstance(code, int) else 0
+        return 0
+    except typer.Exit as done:
+        return done.exit_code
     except (InputError, GenerationError) as error:
         _complain(str(error))
     except _REFUSED as error:

@@ -14,6 +14,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -33,6 +34,9 @@ CACHE_VARIABLE = "CHAINRULE_CACHE"
 COMPILER_VARIABLE = "CC"
 #: Best instruction set to use: ``plain``, ``avx2`` or ``avx512`` (else what the processor has).
 ISA_VARIABLE = "CHAINRULE_ISA"
+
+#: One derivation at a time in a process: it is Python, and a second one would only delay the first one's compiler.
+_DERIVING = threading.Lock()
 
 _ENTRY = 1  # version of the cache entry's layout
 
@@ -209,7 +213,8 @@ def _ours(path: Path) -> bool:
 def _make(model: Model, group: str, progress: Progress) -> Built:
     """Derive, write and compile a unit into the cache."""
     name = f"{model.name}_{group}"
-    files, functions = _sources(model, group, progress)
+    with _DERIVING:
+        files, functions = _sources(model, group, progress)
     root = cache_folder()
     try:
         root.mkdir(parents=True, exist_ok=True)

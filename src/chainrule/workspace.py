@@ -177,20 +177,18 @@ def reach_bound(arm: Arm) -> float:
         return math.inf
 
     def total(slides: Array) -> float:
-        along = iter(slides)
-        points = [np.array([0.0, 0.0, next(along) if kind == "R" else 0.0]) for kind in kinds]
+        points = [np.array([0.0, 0.0, slide]) for slide in slides]
         ends = [*points, np.zeros(3)]
         length = float(np.linalg.norm(_seen(links[0], ends[0])))
         for i, kind in enumerate(kinds):
             target = _seen(links[i + 1], ends[i + 1])
-            starts = [points[i]] if kind == "R" else [np.array([0.0, 0.0, -q]) for q in limits[i]]
+            # The point of a prismatic joint stays with the link before it: seen from the link after, it moves back by q.
+            starts = [points[i]] if kind == "R" else [points[i] - [0.0, 0.0, q] for q in limits[i]]
             length += max(float(np.linalg.norm(target - start)) for start in starts)
         return length
 
-    start = np.zeros(kinds.count("R"))
-    best = total(start)
-    if start.size:
-        best = min(best, total(minimize(total, start, method="Powell", options={"xtol": 1e-10, "ftol": 1e-14}).x))
+    start = np.zeros(arm.n)
+    best = min(total(start), total(minimize(total, start, method="Powell", options={"xtol": 1e-10, "ftol": 1e-14}).x))
     return best * (1.0 + 1e-12)  # the sum's own rounding
 
 
