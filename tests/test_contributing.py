@@ -64,9 +64,10 @@ cr = types.SimpleNamespace(load=lambda name: arm)
     assert ran.returncode == 0, ran.stderr
 
 
-def test_the_readme_example_prints_what_it_says() -> None:
+def test_the_readme_example_prints_what_it_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     import doctest
 
+    monkeypatch.chdir(tmp_path)  # the example writes a folder
     text = (ROOT / "README.md").read_text("utf-8")
     blocks = re.findall(r"^```python\n(.*?)^```", text, re.S | re.M)
     assert blocks, "README.md shows no Python"
