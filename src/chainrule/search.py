@@ -56,6 +56,16 @@ def box(arm: Arm) -> Array:
     return np.stack([lower, upper], axis=1)
 
 
+def assumed(arm: Arm) -> str:
+    """What :func:`box` assumes where the arm has no limits, as a clause; empty where it has them all."""
+    open_ended = ~np.isfinite(arm.limits.position).all(axis=1)
+    phrases = {
+        "R": "revolute joints without limits turn freely",
+        "P": f"prismatic joints without limits are moved over ±{FREE_TRAVEL:g} m",
+    }
+    return "; ".join(phrase for kind, phrase in phrases.items() if kind in np.array(list(arm.kinds))[open_ended])
+
+
 def turns_freely(arm: Arm) -> Array:
     """Which joints (n,) are revolute and without limits, so that an angle and the same angle plus a turn are one."""
     free = ~np.isfinite(arm.limits.position).any(axis=1)

@@ -44,6 +44,10 @@ class Table:
         cells = [row[column] for row in self.rows if row[column] is not None]
         return bool(cells) and all(isinstance(c, int | float) and not isinstance(c, bool) for c in cells)
 
+    def wordy(self, column: int) -> bool:
+        """Whether a column holds running text, which may break into lines."""
+        return any(isinstance(row[column], str) and len(str(row[column]).split()) > 4 for row in self.rows)
+
 
 def readable(value: Cell, digits: int = 6) -> str:
     """A cell as text: numbers with up to ``digits`` significant digits, an en dash for nothing.

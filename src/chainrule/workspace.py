@@ -182,7 +182,7 @@ def reach_bound(arm: Arm) -> float:
         length = float(np.linalg.norm(_seen(links[0], ends[0])))
         for i, kind in enumerate(kinds):
             target = _seen(links[i + 1], ends[i + 1])
-            # The point of a prismatic joint stays with the link before it: seen from the link after, it moves back by q.
+            # A prismatic joint's point stays with the link before it: seen from the link after, it moves back by q.
             starts = [points[i]] if kind == "R" else [points[i] - [0.0, 0.0, q] for q in limits[i]]
             length += max(float(np.linalg.norm(target - start)) for start in starts)
         return length

@@ -173,7 +173,7 @@ def _floor(axes: Axes, view: Array, path: Array, floor: float, size: float) -> l
         ring = circle * (k * step) + [0.0, 0.0, floor]
         axes.plot(*(ring @ view.T).T, color=COLOURS["line"], lw=0.8, zorder=1)
         at = np.array([k * step * np.cos(AZIMUTH), k * step * np.sin(AZIMUTH), floor]) @ view.T
-        _write(axes, f"{readable(k * step)} m", at, COLOURS["muted"], zorder=1.2, size=7.5)
+        _write(axes, f"{readable(k * step)} m", at, COLOURS["muted"], zorder=1.2, size=8.5)
         written.append(at[None])
     return written
 
@@ -190,7 +190,9 @@ def _joint_strokes(axes: Axes, view: Array, arm: Arm, bones: Skeleton, size: flo
         axes.plot(*stroke.T, color=COLOURS["joint"], lw=8.5, solid_capstyle=cap, zorder=4)
 
 
-def _write(axes: Axes, text: str, at: Array, colour: str, zorder: float, size: float = 9.0, alpha: float = 1.0) -> None:
+def _write(
+    axes: Axes, text: str, at: Array, colour: str, zorder: float, size: float = 10.0, alpha: float = 1.0
+) -> None:
     """Text centred at a point, on a patch of paper so that lines do not run through it."""
     patch = {"boxstyle": "round,pad=0.12", "fc": COLOURS["paper"], "ec": "none", "alpha": alpha}
     axes.text(at[0], at[1], text, ha="center", va="center", color=colour, fontsize=size, zorder=zorder, bbox=patch)
@@ -207,7 +209,7 @@ def _frame(axes: Axes, view: Array, origin: Array, frame: Array, length: float) 
         axes.annotate("", (end[0], end[1]), xytext=(start[0], start[1]), zorder=5, arrowprops=arrow)
         if np.linalg.norm(end - start) > 0.25 * length:
             beside = end + 0.17 * length * (end - start) / np.linalg.norm(end - start)
-            axes.text(beside[0], beside[1], letter, ha="center", va="center", fontsize=8, color=colour, zorder=5)
+            axes.text(beside[0], beside[1], letter, ha="center", va="center", fontsize=9, color=colour, zorder=5)
             covered += [_along(np.array([start, end]), 6), beside[None]]
     axes.plot(*start, "o", ms=4, color=COLOURS["ink"], zorder=5.1)
     return covered

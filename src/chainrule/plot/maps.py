@@ -45,8 +45,10 @@ def draw_map(arm: Arm, found: ManipulabilityMap, title: str | None = None) -> Fi
         field = axes.contourf(x, y, found.H.T, levels=levels, cmap=FIELD, extend="neither")
         axes.contour(x, y, found.H.T, levels=levels[1:-1:2], colors="white", linewidths=0.5, alpha=0.55)
         for q in [found.maximum.q, *found.maximum.others]:
-            axes.plot(q[i] * scale[0], q[j] * scale[1], "o", ms=9, mfc="none", mec="white", mew=2.6)
-            axes.plot(q[i] * scale[0], q[j] * scale[1], "o", ms=9, mfc="none", mec=COLOURS["accent"], mew=1.4)
+            axes.plot(q[i] * scale[0], q[j] * scale[1], "o", ms=9, mfc="none", mec="white", mew=2.6, clip_on=False)
+            axes.plot(
+                q[i] * scale[0], q[j] * scale[1], "o", ms=9, mfc="none", mec=COLOURS["accent"], mew=1.4, clip_on=False
+            )
         for set_label, k in ((axes.set_xlabel, i), (axes.set_ylabel, j)):
             set_label(f"q{k + 1} [{'deg' if arm.kinds[k] == 'R' else 'm'}]")
         _degree_ticks(axes, arm, (i, j))

@@ -37,14 +37,14 @@ COLOURS = {
 #: Colour map of every field: monotonic in lightness, so it survives printing in grey.
 FIELD = "cividis"
 
-WIDTH = 5.4  # inches; text keeps its size relation to the figure on every screen
+WIDTH = 5.0  # inches; text keeps its size relation to the figure on every screen
 _FONTS = ["system-ui", "-apple-system", "Segoe UI", "Roboto", "Helvetica Neue", "Arial", "DejaVu Sans", "sans-serif"]
 
 _SETTINGS: Any = {  # matplotlib's type of it differs between versions
     "font.family": ["DejaVu Sans"],
-    "font.size": 9.0,
-    "axes.titlesize": 9.5,
-    "axes.labelsize": 9.0,
+    "font.size": 10.0,
+    "axes.titlesize": 10.0,
+    "axes.labelsize": 10.0,
     "axes.edgecolor": COLOURS["line"],
     "axes.labelcolor": COLOURS["muted"],
     "axes.titlecolor": COLOURS["ink"],

@@ -20,10 +20,10 @@ class Prose:
 
 @dataclass(frozen=True)
 class Finding:
-    """A result worth a line of its own; ``good`` is False for one that should be looked at."""
+    """A result worth a line of its own; its tone is ``plain``, ``good`` or ``bad`` (to be looked at)."""
 
     text: str
-    good: bool = True
+    tone: str = "plain"
     kind: ClassVar[str] = "finding"
 
 

@@ -73,7 +73,9 @@ def split_name(name: str) -> tuple[str, str]:
     """
     if name == "sum_of_squares":
         return "S", ""
-    found = re.fullmatch(r"([A-Za-z])([xyz]?)([0-9].*|e.*)?", name)
+    if name.startswith("heading"):
+        return "φ", name.removeprefix("heading")
+    found = re.fullmatch(r"([A-Za-z])([xyz]?)([0-9].*|e[xyz]?)?", name)
     if found is None:
         head, _, rest = name.partition("_")
         return head, rest.replace("_", ",")

@@ -27,19 +27,17 @@ def _build(arm: Arm, context: Context) -> Part:
         rows,
     )
     verdict = (
-        Finding(f"All {len(found)} checks passed.")
+        Finding(f"All {len(found)} checks passed.", tone="good")
         if not failed
-        else Finding(f"{len(failed)} of {len(found)} checks failed.", good=False)
+        else Finding(f"{len(failed)} of {len(found)} checks failed.", tone="bad")
     )
     return Part(
         (
             verdict,
             Prose(
                 "Measured on this machine while the report was written, on random configurations inside the "
-                "joint limits. The "
-                "comparisons use arithmetic with 40 and 50 digits (mpmath) and NumPy's linear algebra, "
-                "neither of which the "
-                "generated code shares."
+                "joint limits. The comparisons use arithmetic with 40 and 50 digits (mpmath) and NumPy's linear "
+                "algebra, neither of which the generated code shares."
             ),
             Grid(table),
         ),

@@ -6,6 +6,7 @@ from chainrule.arm import Arm
 from chainrule.report.content import Block, Grid, Part, Prose
 from chainrule.report.context import Context
 from chainrule.report.sections import Section
+from chainrule.search import assumed
 from chainrule.tables import geometry, joints, printable, tasks, tool
 
 
@@ -17,8 +18,8 @@ def _build(arm: Arm, context: Context) -> Part:
     if hand is not None:
         blocks.append(Grid(hand))
     blocks.append(Grid(joints(arm)))
-    if all(joint.position is None for joint in description.joints):
-        blocks.append(Prose("No position limits are given: revolute joints are taken to turn freely."))
+    if assumed(arm):
+        blocks.append(Prose(f"On this page, {assumed(arm)}."))
     blocks.append(Grid(tasks(arm)))
     source = printable(description.source)
     blocks.append(Prose(f"Source: {source}." if source else "No source of these numbers is given."))

@@ -36,14 +36,13 @@ def _build(arm: Arm, context: Context) -> Part:
         held = posture(arm, found.q, others)
         scope = (
             f"Of all pairs of joints, H varies most over q{i + 1} and q{j + 1}. The others are held where the "
-            "largest H "
-            f"of all was found: {held}. The maximum is this map's: a grid, then refined with the gradient of H."
+            f"largest H of all was found: {held}. The maximum is this map's: a grid, then refined with the gradient "
+            "of H."
         )
     else:
         scope = (
             "H depends on no other joint, so this map shows all there is; its maximum, found on a grid and "
-            "refined with "
-            "the gradient of H, is the largest H the arm has inside the ranges shown."
+            "refined with the gradient of H, is the largest H the arm has inside the ranges shown."
         )
     if idle:
         scope += f" H does not depend on {', '.join(f'q{k + 1}' for k in idle)}."
@@ -51,8 +50,7 @@ def _build(arm: Arm, context: Context) -> Part:
     text = svg(draw_map(arm, found), "map", f"Manipulability over q{i + 1} and q{j + 1}", description)
     return Part(
         (
-            Finding(f"{line}.{again}"),
-            Picture(Markup(text), "Lighter is larger; the rings mark the maximum. " + scope),
+            Picture(Markup(text), f"Lighter is larger; the rings mark the maximum.{again} {scope}"),
             Prose(
                 f"Each point of H inside the joint limits was computed by the generated function "
                 f"manipulability_{found.task}: {found.H.size:,} of them.".replace(",", "\u202f")

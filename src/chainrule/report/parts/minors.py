@@ -84,8 +84,7 @@ def _general(arm: Arm, task: str) -> tuple[list[Block], dict[str, object]]:
         Prose(
             f"A {rows} × {n} Jacobian has {plural_minors(count)}. They are expanded along rows over subsets of columns "
             f"(Laplace) and share their sub-minors: {shared} at most, of which {used} remain as steps here "
-            "because the rest "
-            "are zero, or equal to an entry or to one another."
+            "because the rest are zero, or equal to an entry or to one another."
         )
     ]
     if zero:
@@ -107,8 +106,8 @@ def _build(arm: Arm, context: Context) -> Part:
     blocks: list[Block] = [
         Prose(
             f"The manipulability H of the {task} task measures how far the Jacobian is from losing rank. It "
-            "is the root of "
-            "the sum of the squares of its maximal minors (Cauchy–Binet), and zero exactly where all of them vanish:"
+            "is the root of the sum of the squares of its maximal minors (Cauchy–Binet), and zero exactly where all "
+            "of them vanish:"
         ),
         _definition(),
     ]

@@ -27,8 +27,8 @@ def _rings(arm: Arm) -> list[Block]:
     return [
         Prose(
             "For a planar chain of revolute joints the workspace is a ring, and its radii are exact: the sum "
-            "of the link "
-            "lengths outside; inside, by how much the longest link exceeds all the others together, or zero."
+            "of the link lengths outside; inside, by how much the longest link exceeds all the others together, or "
+            "zero."
         ),
         Grid(table),
     ]

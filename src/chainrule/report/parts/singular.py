@@ -34,8 +34,7 @@ def _planar_3r(arm: Arm) -> tuple[list[Block], dict[str, object]]:
         Finding(f"The arm is singular in exactly {len(found)} pairs (q₂, q₃): where all three links lie on one line."),
         Prose(
             "Derived by solving the vanishing of all three minors over (−π, π]: M₂₃ gives q₃, then M₁₃ gives "
-            "q₂, and M₁₂ "
-            "vanishes there too. It holds for all link lengths that are not zero."
+            "q₂, and M₁₂ vanishes there too. It holds for all positive link lengths."
         ),
         Grid(table),
     ], {"singular": [[float(pair[q2]), float(pair[q3])] for pair in found], "proved": True}
@@ -161,7 +160,7 @@ def _certain(arm: Arm, context: Context, task: str) -> tuple[str, ...]:
 
 def _build(arm: Arm, context: Context) -> Part:
     model = arm.description.model
-    if model.name == "planar_rrr" and context.task == "position" and all(model.parameters):
+    if model.name == "planar_rrr" and context.task == "position" and min(model.parameters) > 0.0:
         blocks, data = _planar_3r(arm)
     elif model.family == "orthogonal_3r" and context.task == "position":
         blocks, data = _orthogonal(arm)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
+
 from chainrule.arm import Arm
 from chainrule.manipulability import unit
 from chainrule.report.content import Facts, Finding, Part, Prose
 from chainrule.report.context import Context
 from chainrule.report.sections import Section
+from chainrule.search import FREE_TRAVEL
 from chainrule.tables import readable
 
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten", "eleven", "twelve")
@@ -56,6 +59,12 @@ def _redundancy(arm: Arm, context: Context) -> str:
     )
 
 
+def _largest(arm: Arm) -> str:
+    """What the largest H is called: without limits on a slide it is one inside the range searched."""
+    slides = np.array([kind == "P" for kind in arm.kinds]) & ~np.isfinite(arm.limits.position).all(axis=1)
+    return "largest manipulability H" + (f" (slides within ±{FREE_TRAVEL:g} m)" if slides.any() else "")
+
+
 def _build(arm: Arm, context: Context) -> Part:
     planar = "x_alpha" in arm.tasks
     where = "in a plane" if planar else "in space"
@@ -67,7 +76,7 @@ def _build(arm: Arm, context: Context) -> Part:
     pairs = [("joints", f"{arm.n} ({arm.kinds})")]
     if context.task is not None:
         text = f"{context.maximum.value:.4g}{unit(arm, context.task).suffix}"
-        pairs += [("task", f"{context.task}, {arm.tasks[context.task]} rows"), ("largest manipulability H", text)]
+        pairs += [("task", f"{context.task}, {arm.tasks[context.task]} rows"), (_largest(arm), text)]
     pairs.append(
         ("reach from the base", f"{readable(reach.farthest.value, 5)} m" if math.isfinite(reach.bound) else "unlimited")
     )
@@ -80,7 +89,7 @@ def _build(arm: Arm, context: Context) -> Part:
         blocks.append(
             Finding(
                 f"{len(failed)} of {total} checks failed: see the last section before using the numbers on this page.",
-                good=False,
+                tone="bad",
             )
         )
     else:
@@ -88,7 +97,8 @@ def _build(arm: Arm, context: Context) -> Part:
         blocks.append(
             Finding(
                 f"All {total} checks of the generated code passed; the worst error in double precision is "
-                f"{readable(worst.worst, 2)}."
+                f"{readable(worst.worst, 2)}.",
+                tone="good",
             )
         )
     return Part(tuple(blocks), {"name": arm.name, "kinds": arm.kinds, "task": context.task})
