@@ -71,6 +71,7 @@ def unit(
         "unit": name,
         "title": title,
         "digest": digest,
+        "operations": sum(kernel.operations for kernel in kernels),
         "tile": tile,
         "shared": shared,
         "guard": f"CHAINRULE_{name.upper()}_H",
@@ -91,6 +92,7 @@ def port_view(port: Port) -> dict[str, Any]:
         "size": port.size,
         "shape": port.shape,
         "dims": "".join(f"[{extent}]" for extent in port.shape) or " (one number)",
+        "labels": "" if port.name == "q" else ", ".join(port.labels),
     }
 
 

@@ -147,21 +147,16 @@ def _angles(kernel: Kernel) -> dict[tuple[int, int], int]:
     return {entry: number for number, entry in enumerate(sorted(found))}
 
 
-def entry_name(port: Port, entry: int) -> str:
-    """The name of one input entry: ``q3``, ``parameters2``."""
-    return f"{port.name}{entry + 1}"
-
-
 def _leaf_names(kernel: Kernel, angles: dict[tuple[int, int], int]) -> dict[int, str]:
     names = {}
     for index, value in enumerate(kernel.values):
         if value.op == "input":
-            names[index] = entry_name(kernel.inputs[int(value.args[0])], int(value.args[1]))
+            names[index] = kernel.inputs[int(value.args[0])].labels[int(value.args[1])]
         elif value.op in ("sin", "cos"):
             source = kernel.values[int(value.args[0])]
             port, entry = kernel.inputs[int(source.args[0])], int(source.args[1])
-            stem = "" if port.name == "q" else f"_{port.name}"
-            names[index] = f"{value.op[0]}{stem}{entry + 1}"
+            label = port.labels[entry]
+            names[index] = f"{value.op[0]}{entry + 1}" if port.name == "q" else f"{value.op}_{label}"
     return names
 
 

@@ -21,10 +21,11 @@ Operand = int | float  # the index of a value, or (as float) a constant
 
 @dataclass(frozen=True)
 class Port:
-    """A named array going in or out."""
+    """A named array going in or out; ``labels`` name the entries of an input."""
 
     name: str
     shape: Shape
+    labels: tuple[str, ...] = ()
 
     @property
     def size(self) -> int:
@@ -77,7 +78,7 @@ def lower(function: Function) -> Kernel:
     if function.gradient:
         summary = f"H and the gradients of H, 1/H and H^(-1/2), through the {function.program.summary}"
         outputs = _gradients(inputs[0], *outputs[0])
-    ports = tuple(Port(i.name, i.shape) for i in function.program.inputs)
+    ports = tuple(Port(i.name, i.shape, tuple(str(symbol) for symbol in i.symbols)) for i in function.program.inputs)
     results = [entry for _, _, entry in outputs]
     casadi_function = ca.Function("f", inputs, ca.cse(results))
     numbering = _Numbering()

@@ -1,7 +1,7 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8a80525ac7629981384f6cb702932a7237dbbd3428a21fe8bc8242dcc6eaa667.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 6d7d45a8f6d7587920a8fe7fa4c42776c916c8f57e2d9c11cce6ff1a1e9b7fe3.
+698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

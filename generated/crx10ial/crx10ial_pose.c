@@ -1,5 +1,6 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 40f97b3b7322bda1bd33b1061130c54db481a807de9872216022d606cea3e732.
+ * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_pose.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd";
+const char crx10ial_pose_digest[] = "40f97b3b7322bda1bd33b1061130c54db481a807de9872216022d606cea3e732";
 #endif
 
 #define LANES 64

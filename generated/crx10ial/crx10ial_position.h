@@ -1,5 +1,6 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 40f97b3b7322bda1bd33b1061130c54db481a807de9872216022d606cea3e732.
+ * 1276 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

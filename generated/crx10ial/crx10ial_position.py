@@ -1,7 +1,7 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5b4c9a97e9e4b4198d5ca6a51100854ac4f7683674d3de06e4e5aba8368542dd.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 40f97b3b7322bda1bd33b1061130c54db481a807de9872216022d606cea3e732.
+1276 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

@@ -1,5 +1,6 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs a9d6a6d36a5d849f3c904c82a06a6b1d732c1af8ca584546993d4c337258fd2a. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 4daa87c6a3c327c441e523a8d08573b195825a42e14e4f3ef9732547008ab112.
+ * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "a9d6a6d36a5d849f3c904c82a06a6b1d732c1af8ca584546993d4c337258fd2a";
+const char gofa5_kinematics_digest[] = "4daa87c6a3c327c441e523a8d08573b195825a42e14e4f3ef9732547008ab112";
 #endif
 
 #define LANES 64

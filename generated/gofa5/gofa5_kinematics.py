@@ -1,7 +1,7 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a9d6a6d36a5d849f3c904c82a06a6b1d732c1af8ca584546993d4c337258fd2a.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 4daa87c6a3c327c441e523a8d08573b195825a42e14e4f3ef9732547008ab112.
+756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

@@ -1,5 +1,6 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 367f6f1951648fdf917a5a30e18ddc29555b1539652c1cbe8d22f604af252066. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs f9fd283e28c997c8a36e0751892c7f0a249bc0a29f353ef47144392ff4b140ab.
+ * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_pose.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "367f6f1951648fdf917a5a30e18ddc29555b1539652c1cbe8d22f604af252066";
+const char gofa5_pose_digest[] = "f9fd283e28c997c8a36e0751892c7f0a249bc0a29f353ef47144392ff4b140ab";
 #endif
 
 #define LANES 64

@@ -1,5 +1,6 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 367f6f1951648fdf917a5a30e18ddc29555b1539652c1cbe8d22f604af252066. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs f9fd283e28c997c8a36e0751892c7f0a249bc0a29f353ef47144392ff4b140ab.
+ * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

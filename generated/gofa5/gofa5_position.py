@@ -1,7 +1,7 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 367f6f1951648fdf917a5a30e18ddc29555b1539652c1cbe8d22f604af252066.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs f9fd283e28c997c8a36e0751892c7f0a249bc0a29f353ef47144392ff4b140ab.
+1337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

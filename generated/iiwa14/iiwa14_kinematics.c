@@ -1,5 +1,6 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 0e19807a948debdfb9a4e2116fde799f928ea9497e198e248f80e206177e8d08. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs e330c638ae60c40a58e93ff8ab935bc747ae532f427434a626b6019af9ca6c1c.
+ * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "0e19807a948debdfb9a4e2116fde799f928ea9497e198e248f80e206177e8d08";
+const char iiwa14_kinematics_digest[] = "e330c638ae60c40a58e93ff8ab935bc747ae532f427434a626b6019af9ca6c1c";
 #endif
 
 #define LANES 64

@@ -1,5 +1,6 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 0e19807a948debdfb9a4e2116fde799f928ea9497e198e248f80e206177e8d08. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs e330c638ae60c40a58e93ff8ab935bc747ae532f427434a626b6019af9ca6c1c.
+ * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,7 +1,7 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0e19807a948debdfb9a4e2116fde799f928ea9497e198e248f80e206177e8d08.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs e330c638ae60c40a58e93ff8ab935bc747ae532f427434a626b6019af9ca6c1c.
+801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

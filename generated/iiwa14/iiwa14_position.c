@@ -1,5 +1,6 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 90acaa5d693f0a3d1e782afa0a7bcbae331eed8d813b7cfb6042da6b2f52c0a9. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs e23b069a560a53be10a3b0402c84e37d0f891645c3584f564eddb1c68b2c7e88.
+ * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_position.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "90acaa5d693f0a3d1e782afa0a7bcbae331eed8d813b7cfb6042da6b2f52c0a9";
+const char iiwa14_position_digest[] = "e23b069a560a53be10a3b0402c84e37d0f891645c3584f564eddb1c68b2c7e88";
 #endif
 
 #define LANES 64

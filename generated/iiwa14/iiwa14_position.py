@@ -1,7 +1,7 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 90acaa5d693f0a3d1e782afa0a7bcbae331eed8d813b7cfb6042da6b2f52c0a9.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs e23b069a560a53be10a3b0402c84e37d0f891645c3584f564eddb1c68b2c7e88.
+1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

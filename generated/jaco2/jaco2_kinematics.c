@@ -1,5 +1,6 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 0f1e57d614e3bc904e3ac2f3ec4f90723239ffb397fb3945537ddfce036dd4f9. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 692d2cc2636b03d4e882aa26b5c9cce0d5e7ce19081ee24dd62464bee2da22ef.
+ * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "0f1e57d614e3bc904e3ac2f3ec4f90723239ffb397fb3945537ddfce036dd4f9";
+const char jaco2_kinematics_digest[] = "692d2cc2636b03d4e882aa26b5c9cce0d5e7ce19081ee24dd62464bee2da22ef";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0f1e57d614e3bc904e3ac2f3ec4f90723239ffb397fb3945537ddfce036dd4f9.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 692d2cc2636b03d4e882aa26b5c9cce0d5e7ce19081ee24dd62464bee2da22ef.
+949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

@@ -1,5 +1,6 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs 3f4d0378f24f3a0050f618e4b5d90522e175618a222e3c0a0893703db676513d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9.
+ * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_pose.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "3f4d0378f24f3a0050f618e4b5d90522e175618a222e3c0a0893703db676513d";
+const char jaco2_pose_digest[] = "cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9";
 #endif
 
 #define LANES 64

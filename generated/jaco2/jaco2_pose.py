@@ -1,7 +1,7 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3f4d0378f24f3a0050f618e4b5d90522e175618a222e3c0a0893703db676513d.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9.
+624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

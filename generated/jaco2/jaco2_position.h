@@ -1,5 +1,6 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs 3f4d0378f24f3a0050f618e4b5d90522e175618a222e3c0a0893703db676513d. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9.
+ * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,5 +1,6 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d.
+ * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f";
+const char orthogonal_3r_kinematics_digest[] = "54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,6 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d.
+ * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -22,7 +23,7 @@ extern const char orthogonal_3r_kinematics_digest[];
 
 /* position of the tip, in the base frame.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  position[3]
  *   33 operations */
 void orthogonal_3r_position(const double *q, const double *parameters, double *position);
@@ -32,7 +33,7 @@ void orthogonal_3r_position_batchf(ptrdiff_t count, char *const *args, const ptr
 
 /* pose of the tip, in the base frame.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  pose[4][4]
  *   44 operations */
 void orthogonal_3r_pose(const double *q, const double *parameters, double *pose);
@@ -42,7 +43,7 @@ void orthogonal_3r_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff
 
 /* Jacobian of the position, in the base frame.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  jacobian[3][3]
  *   55 operations */
 void orthogonal_3r_jacobian_position(const double *q, const double *parameters, double *jacobian);
@@ -52,7 +53,7 @@ void orthogonal_3r_jacobian_position_batchf(ptrdiff_t count, char *const *args, 
 
 /* Jacobian of the pose, in the base frame.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  jacobian[6][3]
  *   56 operations */
 void orthogonal_3r_jacobian_pose(const double *q, const double *parameters, double *jacobian);
@@ -62,7 +63,7 @@ void orthogonal_3r_jacobian_pose_batchf(ptrdiff_t count, char *const *args, cons
 
 /* position and its Jacobian, in the base frame.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  position[3]
  *   out  jacobian[3][3]
  *   56 operations */
@@ -73,7 +74,7 @@ void orthogonal_3r_kinematics_position_batchf(ptrdiff_t count, char *const *args
 
 /* pose and its Jacobian, in the base frame.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  pose[4][4]
  *   out  jacobian[6][3]
  *   66 operations */

@@ -1,7 +1,7 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d.
+310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -13,7 +13,7 @@ def position(q, parameters):
     """position of the tip, in the base frame: 33 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  position[3]
     """
     q = np.asarray(q)
@@ -24,13 +24,13 @@ def position(q, parameters):
     # inputs, sines and cosines
     q1 = q[..., 0]
     c1 = np.cos(q1)
-    parameters1 = parameters[..., 0]
-    parameters4 = parameters[..., 3]
+    d2 = parameters[..., 0]
+    r2 = parameters[..., 3]
     s1 = np.sin(q1)
-    parameters2 = parameters[..., 1]
+    d3 = parameters[..., 1]
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters3 = parameters[..., 2]
+    d4 = parameters[..., 2]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
@@ -38,15 +38,15 @@ def position(q, parameters):
 
     # terms
     t1 = c1 * c2
-    t2 = c1 * parameters1 - parameters4 * s1 + parameters2 * t1 + parameters3 * (t1 * c3 - s1 * s3)
+    t2 = c1 * d2 - r2 * s1 + d3 * t1 + d4 * (t1 * c3 - s1 * s3)
     t3 = s1 * c2
-    t4 = c1 * parameters4 + parameters1 * s1 + parameters2 * t3 + parameters3 * (c1 * s3 + c3 * t3)
+    t4 = c1 * r2 + d2 * s1 + d3 * t3 + d4 * (c1 * s3 + c3 * t3)
 
     # results
     position = np.empty((*leading, 3), real)
     position[..., 0] = t2
     position[..., 1] = t4
-    position[..., 2] = -(parameters2 * s2 + parameters3 * (c3 * s2))
+    position[..., 2] = -(d3 * s2 + d4 * (c3 * s2))
     return position.reshape(leading + (3,))
 
 
@@ -54,7 +54,7 @@ def pose(q, parameters):
     """pose of the tip, in the base frame: 44 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  pose[4][4]
     """
     q = np.asarray(q)
@@ -72,18 +72,18 @@ def pose(q, parameters):
     s1 = np.sin(q1)
     s3 = np.sin(q3)
     s2 = np.sin(q2)
-    parameters1 = parameters[..., 0]
-    parameters4 = parameters[..., 3]
-    parameters2 = parameters[..., 1]
-    parameters3 = parameters[..., 2]
+    d2 = parameters[..., 0]
+    r2 = parameters[..., 3]
+    d3 = parameters[..., 1]
+    d4 = parameters[..., 2]
 
     # terms
     t1 = c1 * c2
     t2 = c3 * t1 - s1 * s3
-    t3 = c1 * parameters1 - s1 * parameters4 + t1 * parameters2 + t2 * parameters3
+    t3 = c1 * d2 - s1 * r2 + t1 * d3 + t2 * d4
     t4 = c2 * s1
     t5 = c1 * s3 + c3 * t4
-    t6 = c1 * parameters4 + s1 * parameters1 + parameters2 * t4 + parameters3 * t5
+    t6 = c1 * r2 + s1 * d2 + d3 * t4 + d4 * t5
     t7 = c3 * s2
 
     # results
@@ -99,7 +99,7 @@ def pose(q, parameters):
     pose[..., 8] = -t7
     pose[..., 9] = s3 * s2
     pose[..., 10] = c2
-    pose[..., 11] = -(s2 * parameters2 + parameters3 * t7)
+    pose[..., 11] = -(s2 * d3 + d4 * t7)
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
@@ -111,7 +111,7 @@ def jacobian_position(q, parameters):
     """Jacobian of the position, in the base frame: 55 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  jacobian[3][3]
     """
     q = np.asarray(q)
@@ -122,30 +122,30 @@ def jacobian_position(q, parameters):
     # inputs, sines and cosines
     q1 = q[..., 0]
     c1 = np.cos(q1)
-    parameters4 = parameters[..., 3]
-    parameters1 = parameters[..., 0]
+    r2 = parameters[..., 3]
+    d2 = parameters[..., 0]
     s1 = np.sin(q1)
-    parameters2 = parameters[..., 1]
+    d3 = parameters[..., 1]
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters3 = parameters[..., 2]
+    d4 = parameters[..., 2]
     q3 = q[..., 2]
     s3 = np.sin(q3)
     c3 = np.cos(q3)
     s2 = np.sin(q2)
 
     # terms
-    t1 = c1 * parameters4 + parameters1 * s1
+    t1 = c1 * r2 + d2 * s1
     t2 = s1 * c2
-    t3 = parameters3 * (c1 * s3 + t2 * c3)
-    t4 = t1 + parameters2 * t2 + t3
-    t5 = parameters3 * (c3 * s2)
-    t6 = parameters2 * s2 + t5
+    t3 = d4 * (c1 * s3 + t2 * c3)
+    t4 = t1 + d3 * t2 + t3
+    t5 = d4 * (c3 * s2)
+    t6 = d3 * s2 + t5
     t7 = s1 * s2
-    t8 = c1 * parameters1 - parameters4 * s1
+    t8 = c1 * d2 - r2 * s1
     t9 = c1 * c2
-    t10 = parameters3 * (c3 * t9 - s1 * s3)
-    t11 = t8 + parameters2 * t9 + t10
+    t10 = d4 * (c3 * t9 - s1 * s3)
+    t11 = t8 + d3 * t9 + t10
     t12 = c1 * s2
 
     # results
@@ -166,7 +166,7 @@ def jacobian_pose(q, parameters):
     """Jacobian of the pose, in the base frame: 56 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  jacobian[6][3]
     """
     q = np.asarray(q)
@@ -177,30 +177,30 @@ def jacobian_pose(q, parameters):
     # inputs, sines and cosines
     q1 = q[..., 0]
     c1 = np.cos(q1)
-    parameters4 = parameters[..., 3]
-    parameters1 = parameters[..., 0]
+    r2 = parameters[..., 3]
+    d2 = parameters[..., 0]
     s1 = np.sin(q1)
-    parameters2 = parameters[..., 1]
+    d3 = parameters[..., 1]
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters3 = parameters[..., 2]
+    d4 = parameters[..., 2]
     q3 = q[..., 2]
     s3 = np.sin(q3)
     c3 = np.cos(q3)
     s2 = np.sin(q2)
 
     # terms
-    t1 = c1 * parameters4 + parameters1 * s1
+    t1 = c1 * r2 + d2 * s1
     t2 = s1 * c2
-    t3 = parameters3 * (c1 * s3 + t2 * c3)
-    t4 = t1 + parameters2 * t2 + t3
-    t5 = parameters3 * (c3 * s2)
-    t6 = parameters2 * s2 + t5
+    t3 = d4 * (c1 * s3 + t2 * c3)
+    t4 = t1 + d3 * t2 + t3
+    t5 = d4 * (c3 * s2)
+    t6 = d3 * s2 + t5
     t7 = s1 * s2
-    t8 = c1 * parameters1 - parameters4 * s1
+    t8 = c1 * d2 - r2 * s1
     t9 = c1 * c2
-    t10 = parameters3 * (c3 * t9 - s1 * s3)
-    t11 = t8 + parameters2 * t9 + t10
+    t10 = d4 * (c3 * t9 - s1 * s3)
+    t11 = t8 + d3 * t9 + t10
     t12 = c1 * s2
 
     # results
@@ -230,7 +230,7 @@ def kinematics_position(q, parameters):
     """position and its Jacobian, in the base frame: 56 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  position[3]
     out  jacobian[3][3]
     """
@@ -242,29 +242,29 @@ def kinematics_position(q, parameters):
     # inputs, sines and cosines
     q1 = q[..., 0]
     c1 = np.cos(q1)
-    parameters1 = parameters[..., 0]
-    parameters4 = parameters[..., 3]
+    d2 = parameters[..., 0]
+    r2 = parameters[..., 3]
     s1 = np.sin(q1)
-    parameters2 = parameters[..., 1]
+    d3 = parameters[..., 1]
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters3 = parameters[..., 2]
+    d4 = parameters[..., 2]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
     s2 = np.sin(q2)
 
     # terms
-    t1 = c1 * parameters1 - parameters4 * s1
+    t1 = c1 * d2 - r2 * s1
     t2 = c1 * c2
-    t3 = parameters3 * (t2 * c3 - s1 * s3)
-    t4 = t1 + parameters2 * t2 + t3
-    t5 = c1 * parameters4 + parameters1 * s1
+    t3 = d4 * (t2 * c3 - s1 * s3)
+    t4 = t1 + d3 * t2 + t3
+    t5 = c1 * r2 + d2 * s1
     t6 = s1 * c2
-    t7 = parameters3 * (c1 * s3 + c3 * t6)
-    t8 = t5 + parameters2 * t6 + t7
-    t9 = parameters3 * (c3 * s2)
-    t10 = parameters2 * s2 + t9
+    t7 = d4 * (c1 * s3 + c3 * t6)
+    t8 = t5 + d3 * t6 + t7
+    t9 = d4 * (c3 * s2)
+    t10 = d3 * s2 + t9
     t11 = s1 * s2
     t12 = c1 * s2
 
@@ -290,7 +290,7 @@ def kinematics_pose(q, parameters):
     """pose and its Jacobian, in the base frame: 66 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  pose[4][4]
     out  jacobian[6][3]
     """
@@ -309,27 +309,27 @@ def kinematics_pose(q, parameters):
     s1 = np.sin(q1)
     s3 = np.sin(q3)
     s2 = np.sin(q2)
-    parameters1 = parameters[..., 0]
-    parameters4 = parameters[..., 3]
-    parameters2 = parameters[..., 1]
-    parameters3 = parameters[..., 2]
+    d2 = parameters[..., 0]
+    r2 = parameters[..., 3]
+    d3 = parameters[..., 1]
+    d4 = parameters[..., 2]
 
     # terms
     t1 = c1 * c2
     t2 = c3 * t1 - s1 * s3
     t3 = c1 * s2
-    t4 = c1 * parameters1 - s1 * parameters4
-    t5 = t2 * parameters3
-    t6 = t4 + t1 * parameters2 + t5
+    t4 = c1 * d2 - s1 * r2
+    t5 = t2 * d4
+    t6 = t4 + t1 * d3 + t5
     t7 = c2 * s1
     t8 = c1 * s3 + c3 * t7
     t9 = s1 * s2
-    t10 = c1 * parameters4 + s1 * parameters1
-    t11 = parameters3 * t8
-    t12 = t10 + parameters2 * t7 + t11
+    t10 = c1 * r2 + s1 * d2
+    t11 = d4 * t8
+    t12 = t10 + d3 * t7 + t11
     t13 = c3 * s2
-    t14 = parameters3 * t13
-    t15 = s2 * parameters2 + t14
+    t14 = d4 * t13
+    t15 = s2 * d3 + t14
 
     # results
     pose = np.empty((*leading, 16), real)

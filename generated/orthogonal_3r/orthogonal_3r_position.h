@@ -1,5 +1,6 @@
 /* orthogonal_3r_position.h: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d.
+ * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -22,7 +23,7 @@ extern const char orthogonal_3r_position_digest[];
 
 /* manipulability H = sqrt(det(J J^T)) of the position Jacobian.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  manipulability (one number)
  *   18 operations */
 void orthogonal_3r_manipulability_position(const double *q, const double *parameters, double *manipulability);
@@ -32,7 +33,7 @@ void orthogonal_3r_manipulability_position_batchf(ptrdiff_t count, char *const *
 
 /* H and the gradients of H, 1/H and H^(-1/2), through the determinant of the position Jacobian, factored.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  manipulability (one number)
  *   out  gradient[3]
  *   out  inverse_gradient[3]
@@ -45,7 +46,7 @@ void orthogonal_3r_manipulability_gradient_position_batchf(ptrdiff_t count, char
 
 /* determinant of the position Jacobian, factored.
  *   in   q[3]
- *   in   parameters[4]
+ *   in   parameters[4] = (d2, d3, d4, r2)
  *   out  minors[1]
  *   15 operations */
 void orthogonal_3r_minors_position(const double *q, const double *parameters, double *minors);

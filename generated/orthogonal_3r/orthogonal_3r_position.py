@@ -1,7 +1,7 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5a9b512db8728d7c31cf3973b56e3f6748bec991a8a508839b721fb191c0521f.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d.
+87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -13,7 +13,7 @@ def manipulability_position(q, parameters):
     """manipulability H = sqrt(det(J J^T)) of the position Jacobian: 18 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  manipulability (one number)
     """
     q = np.asarray(q)
@@ -22,23 +22,23 @@ def manipulability_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters3 = parameters[..., 2]
-    parameters2 = parameters[..., 1]
+    d4 = parameters[..., 2]
+    d3 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters4 = parameters[..., 3]
-    parameters1 = parameters[..., 0]
+    r2 = parameters[..., 3]
+    d2 = parameters[..., 0]
     s3 = np.sin(q3)
 
     # terms
-    t1 = parameters2 + parameters3 * c3
-    t2 = c3 * c2 * parameters4 - parameters1 * s3 - s3 * (parameters2 * c2)
+    t1 = d3 + d4 * c3
+    t2 = c3 * c2 * r2 - d2 * s3 - s3 * (d3 * c2)
 
     # results
     manipulability = np.empty((*leading, 1), real)
-    manipulability[..., 0] = np.sqrt((parameters3 * parameters3 * (t1 * t1) * (t2 * t2)))
+    manipulability[..., 0] = np.sqrt((d4 * d4 * (t1 * t1) * (t2 * t2)))
     return manipulability.reshape(leading)
 
 
@@ -46,7 +46,7 @@ def manipulability_gradient_position(q, parameters):
     """H and the gradients of H, 1/H and H^(-1/2), through the determinant of the position Jacobian, factored: 54 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  manipulability (one number)
     out  gradient[3]
     out  inverse_gradient[3]
@@ -58,28 +58,28 @@ def manipulability_gradient_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters3 = parameters[..., 2]
-    parameters2 = parameters[..., 1]
+    d4 = parameters[..., 2]
+    d3 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters4 = parameters[..., 3]
-    parameters1 = parameters[..., 0]
+    r2 = parameters[..., 3]
+    d2 = parameters[..., 0]
     s3 = np.sin(q3)
     s2 = np.sin(q2)
 
     # terms
-    t1 = parameters3 * (parameters2 + parameters3 * c3)
-    t2 = parameters2 * c2
-    t3 = c3 * c2 * parameters4 - parameters1 * s3 - s3 * t2
+    t1 = d4 * (d3 + d4 * c3)
+    t2 = d3 * c2
+    t3 = c3 * c2 * r2 - d2 * s3 - s3 * t2
     t4 = t1 * t3
     t5 = np.abs(t4)
     t6 = t4 / t5
     t7 = t1 * t6
-    t8 = parameters4 * t7
-    t9 = s2 * (c3 * t8 - parameters2 * (s3 * t7))
-    t10 = c3 * (t2 * t7 + parameters1 * t7) + s3 * (c2 * t8 + parameters3 * (parameters3 * (t3 * t6)))
+    t8 = r2 * t7
+    t9 = s2 * (c3 * t8 - d3 * (s3 * t7))
+    t10 = c3 * (t2 * t7 + d2 * t7) + s3 * (c2 * t8 + d4 * (d4 * (t3 * t6)))
     t11 = 1.0 / t5
     t12 = t11 * t11
     t13 = -0.5 / t5 * np.sqrt(t11)
@@ -106,7 +106,7 @@ def minors_position(q, parameters):
     """determinant of the position Jacobian, factored: 15 operations.
 
     in   q[3]
-    in   parameters[4]
+    in   parameters[4] = (d2, d3, d4, r2)
     out  minors[1]
     """
     q = np.asarray(q)
@@ -115,20 +115,20 @@ def minors_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters3 = parameters[..., 2]
-    parameters2 = parameters[..., 1]
+    d4 = parameters[..., 2]
+    d3 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters4 = parameters[..., 3]
-    parameters1 = parameters[..., 0]
+    r2 = parameters[..., 3]
+    d2 = parameters[..., 0]
     s3 = np.sin(q3)
 
     # terms
-    t1 = c3 * c2 * parameters4 - parameters1 * s3 - s3 * (parameters2 * c2)
+    t1 = c3 * c2 * r2 - d2 * s3 - s3 * (d3 * c2)
 
     # results
     minors = np.empty((*leading, 1), real)
-    minors[..., 0] = -(parameters3 * (parameters2 + parameters3 * c3) * t1)
+    minors[..., 0] = -(d4 * (d3 + d4 * c3) * t1)
     return minors.reshape(leading + (1,))

@@ -1,5 +1,6 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 7d02cf0e8a01f2f7df48fd4b61471606acae6166796ceba4a0d55b4edf45bffc. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs ea5ef7084f3bd3ee8233042562664eabc682f6e7186ec7f49f2be56acdcdcf44.
+ * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "7d02cf0e8a01f2f7df48fd4b61471606acae6166796ceba4a0d55b4edf45bffc";
+const char panda_kinematics_digest[] = "ea5ef7084f3bd3ee8233042562664eabc682f6e7186ec7f49f2be56acdcdcf44";
 #endif
 
 #define LANES 64

@@ -1,5 +1,6 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 7d02cf0e8a01f2f7df48fd4b61471606acae6166796ceba4a0d55b4edf45bffc. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs ea5ef7084f3bd3ee8233042562664eabc682f6e7186ec7f49f2be56acdcdcf44.
+ * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

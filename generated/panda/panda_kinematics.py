@@ -1,7 +1,7 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7d02cf0e8a01f2f7df48fd4b61471606acae6166796ceba4a0d55b4edf45bffc.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs ea5ef7084f3bd3ee8233042562664eabc682f6e7186ec7f49f2be56acdcdcf44.
+1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

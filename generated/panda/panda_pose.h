@@ -1,5 +1,6 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs 89b6b14457ba417a3c278ed22728dccde40292f728cbca181a197869ad9bcc76. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 3ce863913e4c100295da71a3c12556f755dc85da1d8f1f2debb8d5b8c1806c1e.
+ * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

@@ -1,7 +1,7 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 89b6b14457ba417a3c278ed22728dccde40292f728cbca181a197869ad9bcc76.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 3ce863913e4c100295da71a3c12556f755dc85da1d8f1f2debb8d5b8c1806c1e.
+2645 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

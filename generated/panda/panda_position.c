@@ -1,5 +1,6 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 89b6b14457ba417a3c278ed22728dccde40292f728cbca181a197869ad9bcc76. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 3ce863913e4c100295da71a3c12556f755dc85da1d8f1f2debb8d5b8c1806c1e.
+ * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_position.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "89b6b14457ba417a3c278ed22728dccde40292f728cbca181a197869ad9bcc76";
+const char panda_position_digest[] = "3ce863913e4c100295da71a3c12556f755dc85da1d8f1f2debb8d5b8c1806c1e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,6 @@
 /* planar_rrr_kinematics.h: kinematics of planar_rrr.
- * Made from templates/kernel.h.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+ * 299 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -22,7 +23,7 @@ extern const char planar_rrr_kinematics_digest[];
 
 /* position of the tip, in the base frame.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  position[2]
  *   28 operations */
 void planar_rrr_position(const double *q, const double *parameters, double *position);
@@ -32,7 +33,7 @@ void planar_rrr_position_batchf(ptrdiff_t count, char *const *args, const ptrdif
 
 /* pose of the tip, in the base frame.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  pose[3][3]
  *   29 operations */
 void planar_rrr_pose(const double *q, const double *parameters, double *pose);
@@ -42,7 +43,7 @@ void planar_rrr_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t 
 
 /* Jacobian of the position task, in the base frame.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  jacobian[2][3]
  *   33 operations */
 void planar_rrr_jacobian_position(const double *q, const double *parameters, double *jacobian);
@@ -52,7 +53,7 @@ void planar_rrr_jacobian_position_batchf(ptrdiff_t count, char *const *args, con
 
 /* Jacobian of the x_alpha task, in the base frame.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  jacobian[2][3]
  *   24 operations */
 void planar_rrr_jacobian_x_alpha(const double *q, const double *parameters, double *jacobian);
@@ -62,7 +63,7 @@ void planar_rrr_jacobian_x_alpha_batchf(ptrdiff_t count, char *const *args, cons
 
 /* Jacobian of the pose task, in the base frame.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  jacobian[3][3]
  *   33 operations */
 void planar_rrr_jacobian_pose(const double *q, const double *parameters, double *jacobian);
@@ -72,7 +73,7 @@ void planar_rrr_jacobian_pose_batchf(ptrdiff_t count, char *const *args, const p
 
 /* position and the Jacobian of the position task.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  position[2]
  *   out  jacobian[2][3]
  *   33 operations */
@@ -83,7 +84,7 @@ void planar_rrr_kinematics_position_batchf(ptrdiff_t count, char *const *args, c
 
 /* pose and the Jacobian of the x_alpha task.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  pose[3][3]
  *   out  jacobian[2][3]
  *   33 operations */
@@ -94,7 +95,7 @@ void planar_rrr_kinematics_x_alpha_batchf(ptrdiff_t count, char *const *args, co
 
 /* pose and the Jacobian of the pose task.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  pose[3][3]
  *   out  jacobian[3][3]
  *   34 operations */
@@ -105,7 +106,7 @@ void planar_rrr_kinematics_pose_batchf(ptrdiff_t count, char *const *args, const
 
 /* position, Jacobian and manipulability H together.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  position[2]
  *   out  jacobian[2][3]
  *   out  manipulability (one number)

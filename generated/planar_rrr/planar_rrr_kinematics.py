@@ -1,7 +1,7 @@
 """kinematics of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+299 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -13,7 +13,7 @@ def position(q, parameters):
     """position of the tip, in the base frame: 28 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  position[2]
     """
     q = np.asarray(q)
@@ -24,22 +24,22 @@ def position(q, parameters):
     # inputs, sines and cosines
     q1 = q[..., 0]
     c1 = np.cos(q1)
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
     s1 = np.sin(q1)
     s2 = np.sin(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
     t1 = c1 * c2 - s1 * s2
     t2 = c1 * s2 + c2 * s1
-    t3 = c1 * parameters1 + t1 * parameters2 + (t1 * c3 - t2 * s3) * parameters3
-    t4 = parameters1 * s1 + parameters2 * t2 + parameters3 * (c3 * t2 + t1 * s3)
+    t3 = c1 * l1 + t1 * l2 + (t1 * c3 - t2 * s3) * l3
+    t4 = l1 * s1 + l2 * t2 + l3 * (c3 * t2 + t1 * s3)
 
     # results
     position = np.empty((*leading, 2), real)
@@ -52,7 +52,7 @@ def pose(q, parameters):
     """pose of the tip, in the base frame: 29 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  pose[3][3]
     """
     q = np.asarray(q)
@@ -70,9 +70,9 @@ def pose(q, parameters):
     s1 = np.sin(q1)
     s2 = np.sin(q2)
     s3 = np.sin(q3)
-    parameters1 = parameters[..., 0]
-    parameters2 = parameters[..., 1]
-    parameters3 = parameters[..., 2]
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
+    l3 = parameters[..., 2]
 
     # terms
     t1 = c1 * c2 - s1 * s2
@@ -84,10 +84,10 @@ def pose(q, parameters):
     pose = np.empty((*leading, 9), real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
-    pose[..., 2] = c1 * parameters1 + t1 * parameters2 + t3 * parameters3
+    pose[..., 2] = c1 * l1 + t1 * l2 + t3 * l3
     pose[..., 3] = t4
     pose[..., 4] = t3
-    pose[..., 5] = s1 * parameters1 + t2 * parameters2 + t4 * parameters3
+    pose[..., 5] = s1 * l1 + t2 * l2 + t4 * l3
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
@@ -98,7 +98,7 @@ def jacobian_position(q, parameters):
     """Jacobian of the position task, in the base frame: 33 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  jacobian[2][3]
     """
     q = np.asarray(q)
@@ -107,28 +107,28 @@ def jacobian_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q1 = q[..., 0]
     s1 = np.sin(q1)
     c1 = np.cos(q1)
     q2 = q[..., 1]
     s2 = np.sin(q2)
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = parameters1 * s1
+    t1 = l1 * s1
     t2 = c1 * s2 + s1 * c2
     t3 = c1 * c2 - s1 * s2
-    t4 = (t2 * c3 + t3 * s3) * parameters3
-    t5 = t1 + t2 * parameters2 + t4
-    t6 = parameters1 * c1
-    t7 = parameters3 * (c3 * t3 - t2 * s3)
-    t8 = t6 + parameters2 * t3 + t7
+    t4 = (t2 * c3 + t3 * s3) * l3
+    t5 = t1 + t2 * l2 + t4
+    t6 = l1 * c1
+    t7 = l3 * (c3 * t3 - t2 * s3)
+    t8 = t6 + l2 * t3 + t7
 
     # results
     jacobian = np.empty((*leading, 6), real)
@@ -145,7 +145,7 @@ def jacobian_x_alpha(q, parameters):
     """Jacobian of the x_alpha task, in the base frame: 24 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  jacobian[2][3]
     """
     q = np.asarray(q)
@@ -154,24 +154,24 @@ def jacobian_x_alpha(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q1 = q[..., 0]
     s1 = np.sin(q1)
     c1 = np.cos(q1)
     q2 = q[..., 1]
     s2 = np.sin(q2)
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = parameters1 * s1
+    t1 = l1 * s1
     t2 = c1 * s2 + s1 * c2
-    t3 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * parameters3
-    t4 = t1 + t2 * parameters2 + t3
+    t3 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * l3
+    t4 = t1 + t2 * l2 + t3
 
     # results
     jacobian = np.empty((*leading, 6), real)
@@ -188,7 +188,7 @@ def jacobian_pose(q, parameters):
     """Jacobian of the pose task, in the base frame: 33 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  jacobian[3][3]
     """
     q = np.asarray(q)
@@ -197,28 +197,28 @@ def jacobian_pose(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q1 = q[..., 0]
     s1 = np.sin(q1)
     c1 = np.cos(q1)
     q2 = q[..., 1]
     s2 = np.sin(q2)
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = parameters1 * s1
+    t1 = l1 * s1
     t2 = c1 * s2 + s1 * c2
     t3 = c1 * c2 - s1 * s2
-    t4 = (t2 * c3 + t3 * s3) * parameters3
-    t5 = t1 + t2 * parameters2 + t4
-    t6 = parameters1 * c1
-    t7 = parameters3 * (c3 * t3 - t2 * s3)
-    t8 = t6 + parameters2 * t3 + t7
+    t4 = (t2 * c3 + t3 * s3) * l3
+    t5 = t1 + t2 * l2 + t4
+    t6 = l1 * c1
+    t7 = l3 * (c3 * t3 - t2 * s3)
+    t8 = t6 + l2 * t3 + t7
 
     # results
     jacobian = np.empty((*leading, 9), real)
@@ -238,7 +238,7 @@ def kinematics_position(q, parameters):
     """position and the Jacobian of the position task: 33 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  position[2]
     out  jacobian[2][3]
     """
@@ -250,26 +250,26 @@ def kinematics_position(q, parameters):
     # inputs, sines and cosines
     q1 = q[..., 0]
     c1 = np.cos(q1)
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
     s1 = np.sin(q1)
     s2 = np.sin(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = c1 * parameters1
+    t1 = c1 * l1
     t2 = c1 * c2 - s1 * s2
     t3 = c1 * s2 + c2 * s1
-    t4 = (t2 * c3 - t3 * s3) * parameters3
-    t5 = t1 + t2 * parameters2 + t4
-    t6 = parameters1 * s1
-    t7 = parameters3 * (c3 * t3 + t2 * s3)
-    t8 = t6 + parameters2 * t3 + t7
+    t4 = (t2 * c3 - t3 * s3) * l3
+    t5 = t1 + t2 * l2 + t4
+    t6 = l1 * s1
+    t7 = l3 * (c3 * t3 + t2 * s3)
+    t8 = t6 + l2 * t3 + t7
 
     # results
     position = np.empty((*leading, 2), real)
@@ -289,7 +289,7 @@ def kinematics_x_alpha(q, parameters):
     """pose and the Jacobian of the x_alpha task: 33 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  pose[3][3]
     out  jacobian[2][3]
     """
@@ -308,25 +308,25 @@ def kinematics_x_alpha(q, parameters):
     s1 = np.sin(q1)
     s2 = np.sin(q2)
     s3 = np.sin(q3)
-    parameters1 = parameters[..., 0]
-    parameters2 = parameters[..., 1]
-    parameters3 = parameters[..., 2]
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
+    l3 = parameters[..., 2]
 
     # terms
     t1 = c1 * c2 - s1 * s2
     t2 = c1 * s2 + c2 * s1
     t3 = c3 * t1 - t2 * s3
     t4 = c3 * t2 + t1 * s3
-    t5 = s1 * parameters1
-    t6 = t4 * parameters3
-    t7 = t5 + t2 * parameters2 + t6
+    t5 = s1 * l1
+    t6 = t4 * l3
+    t7 = t5 + t2 * l2 + t6
 
     # results
     pose = np.empty((*leading, 9), real)
     jacobian = np.empty((*leading, 6), real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
-    pose[..., 2] = c1 * parameters1 + t1 * parameters2 + t3 * parameters3
+    pose[..., 2] = c1 * l1 + t1 * l2 + t3 * l3
     pose[..., 3] = t4
     pose[..., 4] = t3
     pose[..., 5] = t7
@@ -346,7 +346,7 @@ def kinematics_pose(q, parameters):
     """pose and the Jacobian of the pose task: 34 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  pose[3][3]
     out  jacobian[3][3]
     """
@@ -365,21 +365,21 @@ def kinematics_pose(q, parameters):
     s1 = np.sin(q1)
     s2 = np.sin(q2)
     s3 = np.sin(q3)
-    parameters1 = parameters[..., 0]
-    parameters2 = parameters[..., 1]
-    parameters3 = parameters[..., 2]
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
+    l3 = parameters[..., 2]
 
     # terms
     t1 = c1 * c2 - s1 * s2
     t2 = c1 * s2 + c2 * s1
     t3 = c3 * t1 - t2 * s3
     t4 = c3 * t2 + t1 * s3
-    t5 = c1 * parameters1
-    t6 = t3 * parameters3
-    t7 = t5 + t1 * parameters2 + t6
-    t8 = s1 * parameters1
-    t9 = t4 * parameters3
-    t10 = t8 + t2 * parameters2 + t9
+    t5 = c1 * l1
+    t6 = t3 * l3
+    t7 = t5 + t1 * l2 + t6
+    t8 = s1 * l1
+    t9 = t4 * l3
+    t10 = t8 + t2 * l2 + t9
 
     # results
     pose = np.empty((*leading, 9), real)
@@ -409,7 +409,7 @@ def survey_position(q, parameters):
     """position, Jacobian and manipulability H together: 52 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  position[2]
     out  jacobian[2][3]
     out  manipulability (one number)
@@ -422,30 +422,30 @@ def survey_position(q, parameters):
     # inputs, sines and cosines
     q1 = q[..., 0]
     c1 = np.cos(q1)
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
     s1 = np.sin(q1)
     s2 = np.sin(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = c1 * parameters1
+    t1 = c1 * l1
     t2 = c1 * c2 - s1 * s2
     t3 = c1 * s2 + c2 * s1
-    t4 = (t2 * c3 - t3 * s3) * parameters3
-    t5 = t1 + t2 * parameters2 + t4
-    t6 = parameters1 * s1
-    t7 = parameters3 * (c3 * t3 + t2 * s3)
-    t8 = t6 + parameters2 * t3 + t7
+    t4 = (t2 * c3 - t3 * s3) * l3
+    t5 = t1 + t2 * l2 + t4
+    t6 = l1 * s1
+    t7 = l3 * (c3 * t3 + t2 * s3)
+    t8 = t6 + l2 * t3 + t7
     t9 = c2 * s3 + s2 * c3
-    t10 = parameters1 * (s2 * parameters2 + parameters3 * t9)
-    t11 = parameters3 * (parameters1 * t9 + parameters2 * s3)
-    t12 = s3 * (parameters2 * parameters3)
+    t10 = l1 * (s2 * l2 + l3 * t9)
+    t11 = l3 * (l1 * t9 + l2 * s3)
+    t12 = s3 * (l2 * l3)
 
     # results
     position = np.empty((*leading, 2), real)

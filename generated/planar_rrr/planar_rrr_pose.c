@@ -1,5 +1,6 @@
 /* planar_rrr_pose.c: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+ * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_pose.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_pose_digest[] = "c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07";
+const char planar_rrr_pose_digest[] = "c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3";
 #endif
 
 #define LANES 64

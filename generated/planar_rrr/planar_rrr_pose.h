@@ -1,5 +1,6 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+ * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -22,7 +23,7 @@ extern const char planar_rrr_pose_digest[];
 
 /* manipulability H = sqrt(det(J J^T)) of the pose Jacobian.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  manipulability (one number)
  *   29 operations */
 void planar_rrr_manipulability_pose(const double *q, const double *parameters, double *manipulability);
@@ -33,7 +34,7 @@ void planar_rrr_manipulability_pose_batchf(ptrdiff_t count, char *const *args, c
 /* H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the pose Jacobian, columns in
  * lexicographic order.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  manipulability (one number)
  *   out  gradient[3]
  *   out  inverse_gradient[3]
@@ -46,7 +47,7 @@ void planar_rrr_manipulability_gradient_pose_batchf(ptrdiff_t count, char *const
 
 /* maximal minors of the pose Jacobian, columns in lexicographic order.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  minors[1]
  *   28 operations */
 void planar_rrr_minors_pose(const double *q, const double *parameters, double *minors);

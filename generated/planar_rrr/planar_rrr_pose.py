@@ -1,7 +1,7 @@
 """manipulability (pose) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+138 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -13,7 +13,7 @@ def manipulability_pose(q, parameters):
     """manipulability H = sqrt(det(J J^T)) of the pose Jacobian: 29 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  manipulability (one number)
     """
     q = np.asarray(q)
@@ -22,22 +22,22 @@ def manipulability_pose(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s2 = np.sin(q2)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = (c2 * c3 - s2 * s3) * parameters3
-    t2 = parameters1 + c2 * parameters2 + t1
-    t3 = parameters3 * (c2 * s3 + c3 * s2)
-    t4 = parameters2 * s2 + t3
-    t5 = t2 - parameters1
+    t1 = (c2 * c3 - s2 * s3) * l3
+    t2 = l1 + c2 * l2 + t1
+    t3 = l3 * (c2 * s3 + c3 * s2)
+    t4 = l2 * s2 + t3
+    t5 = t2 - l1
     t6 = t1 * t4
     t7 = t2 * t4 - t4 * t5 + (t3 * t5 - t6) - (t2 * t3 - t6)
 
@@ -51,7 +51,7 @@ def manipulability_gradient_pose(q, parameters):
     """H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the pose Jacobian, columns in lexicographic order: 81 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  manipulability (one number)
     out  gradient[3]
     out  inverse_gradient[3]
@@ -63,22 +63,22 @@ def manipulability_gradient_pose(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s2 = np.sin(q2)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = (c2 * c3 - s2 * s3) * parameters3
-    t2 = parameters1 + c2 * parameters2 + t1
-    t3 = parameters3 * (c2 * s3 + c3 * s2)
-    t4 = parameters2 * s2 + t3
-    t5 = t2 - parameters1
+    t1 = (c2 * c3 - s2 * s3) * l3
+    t2 = l1 + c2 * l2 + t1
+    t3 = l3 * (c2 * s3 + c3 * s2)
+    t4 = l2 * s2 + t3
+    t5 = t2 - l1
     t6 = t1 * t4
     t7 = t2 * t4 - t4 * t5 + (t3 * t5 - t6) - (t2 * t3 - t6)
     t8 = np.abs(t7)
@@ -86,12 +86,12 @@ def manipulability_gradient_pose(q, parameters):
     t10 = t5 * t9
     t11 = t2 * t9
     t12 = t11 - t10
-    t13 = parameters3 * (t10 - t11 + t12)
+    t13 = l3 * (t10 - t11 + t12)
     t14 = t3 * t9
     t15 = t4 * t9
     t16 = t15 + (t14 - t15 - t14)
-    t17 = parameters3 * t16
-    t18 = c2 * (c3 * t13 + parameters2 * t12 - s3 * t17) - s2 * (s3 * t13 + c3 * t17 + parameters2 * t16)
+    t17 = l3 * t16
+    t18 = c2 * (c3 * t13 + l2 * t12 - s3 * t17) - s2 * (s3 * t13 + c3 * t17 + l2 * t16)
     t19 = c3 * (c2 * t13 - s2 * t17) - s3 * (s2 * t13 + c2 * t17)
     t20 = 1.0 / t8
     t21 = t20 * t20
@@ -119,7 +119,7 @@ def minors_pose(q, parameters):
     """maximal minors of the pose Jacobian, columns in lexicographic order: 28 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  minors[1]
     """
     q = np.asarray(q)
@@ -128,22 +128,22 @@ def minors_pose(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s2 = np.sin(q2)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = (c2 * c3 - s2 * s3) * parameters3
-    t2 = parameters1 + c2 * parameters2 + t1
-    t3 = parameters3 * (c2 * s3 + c3 * s2)
-    t4 = parameters2 * s2 + t3
-    t5 = t2 - parameters1
+    t1 = (c2 * c3 - s2 * s3) * l3
+    t2 = l1 + c2 * l2 + t1
+    t3 = l3 * (c2 * s3 + c3 * s2)
+    t4 = l2 * s2 + t3
+    t5 = t2 - l1
     t6 = t1 * t4
     t7 = t2 * t4 - t4 * t5 + (t3 * t5 - t6) - (t2 * t3 - t6)
 

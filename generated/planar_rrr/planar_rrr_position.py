@@ -1,7 +1,7 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+245 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -13,7 +13,7 @@ def manipulability_position(q, parameters):
     """manipulability H = sqrt(det(J J^T)) of the position Jacobian: 23 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  manipulability (one number)
     """
     q = np.asarray(q)
@@ -22,11 +22,11 @@ def manipulability_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
-    parameters2 = parameters[..., 1]
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
     q2 = q[..., 1]
     s2 = np.sin(q2)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
     c2 = np.cos(q2)
     q3 = q[..., 2]
     s3 = np.sin(q3)
@@ -34,9 +34,9 @@ def manipulability_position(q, parameters):
 
     # terms
     t1 = c2 * s3 + s2 * c3
-    t2 = parameters1 * (parameters2 * s2 + parameters3 * t1)
-    t3 = parameters3 * (parameters1 * t1 + parameters2 * s3)
-    t4 = s3 * (parameters2 * parameters3)
+    t2 = l1 * (l2 * s2 + l3 * t1)
+    t3 = l3 * (l1 * t1 + l2 * s3)
+    t4 = s3 * (l2 * l3)
 
     # results
     manipulability = np.empty((*leading, 1), real)
@@ -48,7 +48,7 @@ def manipulability_gradient_position(q, parameters):
     """H and the gradients of H, 1/H and H^(-1/2), through the minors (1,2), (1,3), (2,3) of the position Jacobian, in closed form: 64 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  manipulability (one number)
     out  gradient[3]
     out  inverse_gradient[3]
@@ -60,11 +60,11 @@ def manipulability_gradient_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
-    parameters2 = parameters[..., 1]
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
     q2 = q[..., 1]
     s2 = np.sin(q2)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
     c2 = np.cos(q2)
     q3 = q[..., 2]
     s3 = np.sin(q3)
@@ -72,16 +72,16 @@ def manipulability_gradient_position(q, parameters):
 
     # terms
     t1 = c2 * s3 + s2 * c3
-    t2 = parameters1 * (parameters2 * s2 + parameters3 * t1)
-    t3 = parameters3 * (parameters1 * t1 + parameters2 * s3)
-    t4 = parameters2 * parameters3
+    t2 = l1 * (l2 * s2 + l3 * t1)
+    t3 = l3 * (l1 * t1 + l2 * s3)
+    t4 = l2 * l3
     t5 = s3 * t4
     t6 = np.sqrt((t2 * t2 + t3 * t3 + t5 * t5))
-    t7 = parameters3 * (t3 / t6)
-    t8 = parameters1 * (t2 / t6)
-    t9 = parameters1 * t7 + parameters3 * t8
-    t10 = c2 * (c3 * t9 + parameters2 * t8) - s2 * (s3 * t9)
-    t11 = c3 * (t4 * (t5 / t6) + parameters2 * t7 + c2 * t9)
+    t7 = l3 * (t3 / t6)
+    t8 = l1 * (t2 / t6)
+    t9 = l1 * t7 + l3 * t8
+    t10 = c2 * (c3 * t9 + l2 * t8) - s2 * (s3 * t9)
+    t11 = c3 * (t4 * (t5 / t6) + l2 * t7 + c2 * t9)
     t12 = t11 - s3 * (s2 * t9)
     t13 = 1.0 / t6
     t14 = t13 * t13
@@ -109,7 +109,7 @@ def minors_position(q, parameters):
     """minors (1,2), (1,3), (2,3) of the position Jacobian, in closed form: 17 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  minors[3]
     """
     q = np.asarray(q)
@@ -118,11 +118,11 @@ def minors_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
-    parameters2 = parameters[..., 1]
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
     q2 = q[..., 1]
     s2 = np.sin(q2)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
     c2 = np.cos(q2)
     q3 = q[..., 2]
     s3 = np.sin(q3)
@@ -133,9 +133,9 @@ def minors_position(q, parameters):
 
     # results
     minors = np.empty((*leading, 3), real)
-    minors[..., 0] = parameters1 * (parameters2 * s2 + parameters3 * t1)
-    minors[..., 1] = parameters3 * (parameters1 * t1 + parameters2 * s3)
-    minors[..., 2] = s3 * (parameters2 * parameters3)
+    minors[..., 0] = l1 * (l2 * s2 + l3 * t1)
+    minors[..., 1] = l3 * (l1 * t1 + l2 * s3)
+    minors[..., 2] = s3 * (l2 * l3)
     return minors.reshape(leading + (3,))
 
 
@@ -143,7 +143,7 @@ def null_vector_position(q, parameters):
     """null vector of the position Jacobian from its signed minors, |N| = H: 18 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  null_vector[3]
     """
     q = np.asarray(q)
@@ -152,11 +152,11 @@ def null_vector_position(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters2 = parameters[..., 1]
-    parameters3 = parameters[..., 2]
+    l2 = parameters[..., 1]
+    l3 = parameters[..., 2]
     q3 = q[..., 2]
     s3 = np.sin(q3)
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
     c3 = np.cos(q3)
@@ -167,9 +167,9 @@ def null_vector_position(q, parameters):
 
     # results
     null_vector = np.empty((*leading, 3), real)
-    null_vector[..., 0] = parameters2 * parameters3 * s3
-    null_vector[..., 1] = -(parameters3 * (parameters1 * t1 + parameters2 * s3))
-    null_vector[..., 2] = parameters1 * (parameters2 * s2 + parameters3 * t1)
+    null_vector[..., 0] = l2 * l3 * s3
+    null_vector[..., 1] = -(l3 * (l1 * t1 + l2 * s3))
+    null_vector[..., 2] = l1 * (l2 * s2 + l3 * t1)
     return null_vector.reshape(leading + (3,))
 
 
@@ -177,7 +177,7 @@ def null_projector_position(q, parameters):
     """projector I - J^+ J onto the null space of the position Jacobian: 123 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  null_projector[3][3]
     """
     q = np.asarray(q)
@@ -192,13 +192,13 @@ def null_projector_position(q, parameters):
     s3 = np.sin(q3)
     c3 = np.cos(q3)
     s2 = np.sin(q2)
-    parameters3 = parameters[..., 2]
-    parameters2 = parameters[..., 1]
-    parameters1 = parameters[..., 0]
+    l3 = parameters[..., 2]
+    l2 = parameters[..., 1]
+    l1 = parameters[..., 0]
 
     # terms
-    t1 = (c2 * s3 + c3 * s2) * parameters3
-    t2 = t1 + s2 * parameters2
+    t1 = (c2 * s3 + c3 * s2) * l3
+    t2 = t1 + s2 * l2
     t3 = t2 * t2
     t4 = np.sqrt((t1 * t1 + (t3 + t3)))
     t5 = np.where(t4 != 0.0, t1 / t4, 0.0)
@@ -208,9 +208,9 @@ def null_projector_position(q, parameters):
     t9 = t6 / t8
     t10 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t9, 0.0), 0.0)
     t11 = 1.0 - t10
-    t12 = parameters3 * (c2 * c3 - s3 * s2)
-    t13 = parameters1 + c2 * parameters2 + t12
-    t14 = t13 - parameters1
+    t12 = l3 * (c2 * c3 - s3 * s2)
+    t13 = l1 + c2 * l2 + t12
+    t14 = t13 - l1
     t15 = t5 / t8
     t16 = t9 * t14 + t12 * t15 + t9 * t13
     t17 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t16, 0.0), 0.0)

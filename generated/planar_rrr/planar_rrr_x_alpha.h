@@ -1,5 +1,6 @@
 /* planar_rrr_x_alpha.h: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+ * 311 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -22,7 +23,7 @@ extern const char planar_rrr_x_alpha_digest[];
 
 /* manipulability H = sqrt(det(J J^T)) of the x_alpha Jacobian.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  manipulability (one number)
  *   29 operations */
 void planar_rrr_manipulability_x_alpha(const double *q, const double *parameters, double *manipulability);
@@ -33,7 +34,7 @@ void planar_rrr_manipulability_x_alpha_batchf(ptrdiff_t count, char *const *args
 /* H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the x_alpha Jacobian, columns in
  * lexicographic order.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  manipulability (one number)
  *   out  gradient[3]
  *   out  inverse_gradient[3]
@@ -46,7 +47,7 @@ void planar_rrr_manipulability_gradient_x_alpha_batchf(ptrdiff_t count, char *co
 
 /* maximal minors of the x_alpha Jacobian, columns in lexicographic order.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  minors[3]
  *   24 operations */
 void planar_rrr_minors_x_alpha(const double *q, const double *parameters, double *minors);
@@ -56,7 +57,7 @@ void planar_rrr_minors_x_alpha_batchf(ptrdiff_t count, char *const *args, const 
 
 /* null vector of the x_alpha Jacobian from its signed minors, |N| = H.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  null_vector[3]
  *   23 operations */
 void planar_rrr_null_vector_x_alpha(const double *q, const double *parameters, double *null_vector);
@@ -66,7 +67,7 @@ void planar_rrr_null_vector_x_alpha_batchf(ptrdiff_t count, char *const *args, c
 
 /* projector I - J^+ J onto the null space of the x_alpha Jacobian.
  *   in   q[3]
- *   in   parameters[3]
+ *   in   parameters[3] = (l1, l2, l3)
  *   out  null_projector[3][3]
  *   145 operations */
 void planar_rrr_null_projector_x_alpha(const double *q, const double *parameters, double *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c06581573716ac7bea4b0b7c04e316b5b789fa30f00cb95a3ae9356a60e4ee07.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+311 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -13,7 +13,7 @@ def manipulability_x_alpha(q, parameters):
     """manipulability H = sqrt(det(J J^T)) of the x_alpha Jacobian: 29 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  manipulability (one number)
     """
     q = np.asarray(q)
@@ -22,24 +22,24 @@ def manipulability_x_alpha(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q1 = q[..., 0]
     s1 = np.sin(q1)
     c1 = np.cos(q1)
     q2 = q[..., 1]
     s2 = np.sin(q2)
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = parameters1 * s1
+    t1 = l1 * s1
     t2 = c1 * s2 + s1 * c2
-    t3 = t1 + t2 * parameters2
-    t4 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * parameters3
+    t3 = t1 + t2 * l2
+    t4 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * l3
     t5 = t3 + t4
     t6 = t5 - t1
     t7 = t6 - t5
@@ -55,7 +55,7 @@ def manipulability_gradient_x_alpha(q, parameters):
     """H and the gradients of H, 1/H and H^(-1/2), through the maximal minors of the x_alpha Jacobian, columns in lexicographic order: 90 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  manipulability (one number)
     out  gradient[3]
     out  inverse_gradient[3]
@@ -67,25 +67,25 @@ def manipulability_gradient_x_alpha(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q1 = q[..., 0]
     s1 = np.sin(q1)
     c1 = np.cos(q1)
     q2 = q[..., 1]
     s2 = np.sin(q2)
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = parameters1 * s1
+    t1 = l1 * s1
     t2 = c1 * s2 + s1 * c2
-    t3 = t1 + t2 * parameters2
+    t3 = t1 + t2 * l2
     t4 = c1 * c2 - s1 * s2
-    t5 = (t2 * c3 + t4 * s3) * parameters3
+    t5 = (t2 * c3 + t4 * s3) * l3
     t6 = t3 + t5
     t7 = t6 - t1
     t8 = t7 - t6
@@ -95,11 +95,11 @@ def manipulability_gradient_x_alpha(q, parameters):
     t12 = t8 / t10
     t13 = t12 - t11
     t14 = t13 - t12
-    t15 = parameters3 * (t11 + t14)
+    t15 = l3 * (t11 + t14)
     t16 = t14 + t3 / t10
-    t17 = c3 * t15 + parameters2 * t16
+    t17 = c3 * t15 + l2 * t16
     t18 = s3 * t15
-    t19 = c1 * (c2 * t17 - s2 * t18 + parameters1 * (t16 - t13))
+    t19 = c1 * (c2 * t17 - s2 * t18 + l1 * (t16 - t13))
     t20 = t19 - s1 * (c2 * t18 + s2 * t17)
     t21 = c2 * (c1 * t17 - s1 * t18) - s2 * (c1 * t18 + s1 * t17)
     t22 = c3 * (t4 * t15) - s3 * (t2 * t15)
@@ -129,7 +129,7 @@ def minors_x_alpha(q, parameters):
     """maximal minors of the x_alpha Jacobian, columns in lexicographic order: 24 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  minors[3]
     """
     q = np.asarray(q)
@@ -138,24 +138,24 @@ def minors_x_alpha(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q1 = q[..., 0]
     s1 = np.sin(q1)
     c1 = np.cos(q1)
     q2 = q[..., 1]
     s2 = np.sin(q2)
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = parameters1 * s1
+    t1 = l1 * s1
     t2 = c1 * s2 + s1 * c2
-    t3 = t1 + t2 * parameters2
-    t4 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * parameters3
+    t3 = t1 + t2 * l2
+    t4 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * l3
     t5 = t3 + t4
     t6 = t5 - t1
 
@@ -171,7 +171,7 @@ def null_vector_x_alpha(q, parameters):
     """null vector of the x_alpha Jacobian from its signed minors, |N| = H: 23 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  null_vector[3]
     """
     q = np.asarray(q)
@@ -189,15 +189,15 @@ def null_vector_x_alpha(q, parameters):
     c2 = np.cos(q2)
     s1 = np.sin(q1)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
-    parameters1 = parameters[..., 0]
-    parameters2 = parameters[..., 1]
+    l3 = parameters[..., 2]
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
 
     # terms
     t1 = c1 * s2 + c2 * s1
-    t2 = (c3 * t1 + (c1 * c2 - s2 * s1) * s3) * parameters3
-    t3 = s1 * parameters1
-    t4 = t3 + t1 * parameters2
+    t2 = (c3 * t1 + (c1 * c2 - s2 * s1) * s3) * l3
+    t3 = s1 * l1
+    t4 = t3 + t1 * l2
     t5 = t2 + t4
     t6 = t5 - t3
 
@@ -213,7 +213,7 @@ def null_projector_x_alpha(q, parameters):
     """projector I - J^+ J onto the null space of the x_alpha Jacobian: 145 operations.
 
     in   q[3]
-    in   parameters[3]
+    in   parameters[3] = (l1, l2, l3)
     out  null_projector[3][3]
     """
     q = np.asarray(q)
@@ -222,24 +222,24 @@ def null_projector_x_alpha(q, parameters):
     real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
-    parameters1 = parameters[..., 0]
+    l1 = parameters[..., 0]
     q1 = q[..., 0]
     s1 = np.sin(q1)
     c1 = np.cos(q1)
     q2 = q[..., 1]
     s2 = np.sin(q2)
     c2 = np.cos(q2)
-    parameters2 = parameters[..., 1]
+    l2 = parameters[..., 1]
     q3 = q[..., 2]
     c3 = np.cos(q3)
     s3 = np.sin(q3)
-    parameters3 = parameters[..., 2]
+    l3 = parameters[..., 2]
 
     # terms
-    t1 = parameters1 * s1
+    t1 = l1 * s1
     t2 = c1 * s2 + s1 * c2
-    t3 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * parameters3
-    t4 = t1 + t2 * parameters2 + t3
+    t3 = (t2 * c3 + (c1 * c2 - s1 * s2) * s3) * l3
+    t4 = t1 + t2 * l2 + t3
     t5 = t4 - t1
     t6 = np.sqrt((t5 * t5 + t3 * t3 + t4 * t4))
     t7 = np.where(t6 != 0.0, t4 / t6, 0.0)

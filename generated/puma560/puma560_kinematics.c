@@ -1,5 +1,6 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 3728c968730f3fdc09aebad7971cc5435cbd22aa997daa37669c3aed9ca159a6. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 753333dfdd28e6b9801a837891864caf08c2a28ead7b7c79890557334471af09.
+ * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "puma560_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "3728c968730f3fdc09aebad7971cc5435cbd22aa997daa37669c3aed9ca159a6";
+const char puma560_kinematics_digest[] = "753333dfdd28e6b9801a837891864caf08c2a28ead7b7c79890557334471af09";
 #endif
 
 #define LANES 64

@@ -1,5 +1,6 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 3728c968730f3fdc09aebad7971cc5435cbd22aa997daa37669c3aed9ca159a6. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 753333dfdd28e6b9801a837891864caf08c2a28ead7b7c79890557334471af09.
+ * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

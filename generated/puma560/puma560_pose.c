@@ -1,5 +1,6 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs c9390b64132ee900ac1478400d04fe5adac882b5efb0fc2667467c4fd9e7fc27. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5eb864a5190b67852bb52b37361d62ded3d39f304cfdd89ba61db7344de2b326.
+ * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "puma560_pose.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "c9390b64132ee900ac1478400d04fe5adac882b5efb0fc2667467c4fd9e7fc27";
+const char puma560_pose_digest[] = "5eb864a5190b67852bb52b37361d62ded3d39f304cfdd89ba61db7344de2b326";
 #endif
 
 #define LANES 64

@@ -1,5 +1,6 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs c9390b64132ee900ac1478400d04fe5adac882b5efb0fc2667467c4fd9e7fc27. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 5eb864a5190b67852bb52b37361d62ded3d39f304cfdd89ba61db7344de2b326.
+ * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

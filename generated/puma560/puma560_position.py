@@ -1,7 +1,7 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c9390b64132ee900ac1478400d04fe5adac882b5efb0fc2667467c4fd9e7fc27.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 5eb864a5190b67852bb52b37361d62ded3d39f304cfdd89ba61db7344de2b326.
+435 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

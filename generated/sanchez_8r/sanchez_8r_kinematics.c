@@ -1,5 +1,6 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs bfc52cd9752df7f5967d600e6e0d004eb6f958a3e942bc5cad1d6023ff9e852a. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 50a024e2fd662fdd0b53ca6fd6eace34060bf858e3b5e11b4185358e98d254ed.
+ * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "bfc52cd9752df7f5967d600e6e0d004eb6f958a3e942bc5cad1d6023ff9e852a";
+const char sanchez_8r_kinematics_digest[] = "50a024e2fd662fdd0b53ca6fd6eace34060bf858e3b5e11b4185358e98d254ed";
 #endif
 
 #define LANES 32

@@ -1,7 +1,7 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f23c2935bf33693e36a4a48e15f4494a0fd0bfbfb78290114ae0fa74f69949bd.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 70447f19d6ae96c205ec16a9bb33fc77566c44a5e17afd0e8181ef88382eb683.
+3779 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """

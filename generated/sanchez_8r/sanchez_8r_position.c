@@ -1,5 +1,6 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs f23c2935bf33693e36a4a48e15f4494a0fd0bfbfb78290114ae0fa74f69949bd. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 70447f19d6ae96c205ec16a9bb33fc77566c44a5e17afd0e8181ef88382eb683.
+ * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_position.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "f23c2935bf33693e36a4a48e15f4494a0fd0bfbfb78290114ae0fa74f69949bd";
+const char sanchez_8r_position_digest[] = "70447f19d6ae96c205ec16a9bb33fc77566c44a5e17afd0e8181ef88382eb683";
 #endif
 
 #define LANES 32

@@ -1,5 +1,6 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 269e1c8925d8a36f5f6fcb2c8e889fcb7375d59bd5ca986b7c89dee8e3a88576. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 59edcea07a3a6cb782e124d010b8625ef1b14dad1390b40f9e3f2f0f8ddc7b52.
+ * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_kinematics.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "269e1c8925d8a36f5f6fcb2c8e889fcb7375d59bd5ca986b7c89dee8e3a88576";
+const char ur5e_kinematics_digest[] = "59edcea07a3a6cb782e124d010b8625ef1b14dad1390b40f9e3f2f0f8ddc7b52";
 #endif
 
 #define LANES 64

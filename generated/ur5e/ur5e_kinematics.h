@@ -1,5 +1,6 @@
 /* ur5e_kinematics.h: kinematics of ur5e.
- * Made from templates/kernel.h.j2; inputs 269e1c8925d8a36f5f6fcb2c8e889fcb7375d59bd5ca986b7c89dee8e3a88576. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 59edcea07a3a6cb782e124d010b8625ef1b14dad1390b40f9e3f2f0f8ddc7b52.
+ * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *

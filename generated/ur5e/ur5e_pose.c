@@ -1,5 +1,6 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 1ae8f3d4b797b1963ecda584a16e78513d70be8ae532becf1586b88b5db8d066. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs f5319021c3c0eb49e9062012b58ba8d82e08934420b1a0ad7c0f24bb3336ae01.
+ * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_pose.h"
@@ -8,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "1ae8f3d4b797b1963ecda584a16e78513d70be8ae532becf1586b88b5db8d066";
+const char ur5e_pose_digest[] = "f5319021c3c0eb49e9062012b58ba8d82e08934420b1a0ad7c0f24bb3336ae01";
 #endif
 
 #define LANES 64

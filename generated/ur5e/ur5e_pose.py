@@ -1,7 +1,7 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1ae8f3d4b797b1963ecda584a16e78513d70be8ae532becf1586b88b5db8d066.
-Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs f5319021c3c0eb49e9062012b58ba8d82e08934420b1a0ad7c0f24bb3336ae01.
+217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
