@@ -11,7 +11,7 @@ import heapq
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from chainrule.derive.lower import Kernel, Operand, Port, Value
+from chainrule.derive.lower import Kernel, Operand, Value
 from chainrule.errors import GenerationError
 
 #: Operations in one printed expression.

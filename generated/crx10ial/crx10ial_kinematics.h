@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 6d7d45a8f6d7587920a8fe7fa4c42776c916c8f57e2d9c11cce6ff1a1e9b7fe3.
+ * Made from templates/kernel.h.j2; inputs f476d7b50c8c3efda26c1e16c21aea97a26ebb60b7fc7ec4f8c78e8f0ffc3fcb.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 40f97b3b7322bda1bd33b1061130c54db481a807de9872216022d606cea3e732.
+ * Made from templates/kernel.c.j2; inputs a91a13ea9dca92b951741e7040e7ba48bddca2080dc2ace9099865771f641608.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "40f97b3b7322bda1bd33b1061130c54db481a807de9872216022d606cea3e732";
+const char crx10ial_pose_digest[] = "a91a13ea9dca92b951741e7040e7ba48bddca2080dc2ace9099865771f641608";
 #endif
 
 #define LANES 64

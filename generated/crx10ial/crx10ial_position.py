@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 40f97b3b7322bda1bd33b1061130c54db481a807de9872216022d606cea3e732.
+Made from templates/kernel.py.j2; inputs a91a13ea9dca92b951741e7040e7ba48bddca2080dc2ace9099865771f641608.
 1276 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 4daa87c6a3c327c441e523a8d08573b195825a42e14e4f3ef9732547008ab112.
+ * Made from templates/kernel.h.j2; inputs 30cdcf0d9633caac18d7214b02ca2e39d8e8880e0e4cb08d123d5fe728365916.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4daa87c6a3c327c441e523a8d08573b195825a42e14e4f3ef9732547008ab112.
+Made from templates/kernel.py.j2; inputs 30cdcf0d9633caac18d7214b02ca2e39d8e8880e0e4cb08d123d5fe728365916.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

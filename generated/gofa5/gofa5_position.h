@@ -1,5 +1,5 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs f9fd283e28c997c8a36e0751892c7f0a249bc0a29f353ef47144392ff4b140ab.
+ * Made from templates/kernel.h.j2; inputs e5eb678135c27be29b71b261fba014d80884d10e34c5441797edff178ed55d7a.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

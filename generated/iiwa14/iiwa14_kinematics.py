@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e330c638ae60c40a58e93ff8ab935bc747ae532f427434a626b6019af9ca6c1c.
+Made from templates/kernel.py.j2; inputs 797ab5bee45472dc4cb7d065f355f3db12fbfb5fecf93d8bf3347adff90eb3c1.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

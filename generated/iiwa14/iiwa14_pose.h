@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs e23b069a560a53be10a3b0402c84e37d0f891645c3584f564eddb1c68b2c7e88.
+ * Made from templates/kernel.h.j2; inputs 62aa6fa25d6fc355f0c30dd8b5b0a0c83ef619bb03b7f6c864e8c63a36546662.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

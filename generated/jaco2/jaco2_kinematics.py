@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 692d2cc2636b03d4e882aa26b5c9cce0d5e7ce19081ee24dd62464bee2da22ef.
+Made from templates/kernel.py.j2; inputs 7db6a321cedfb48b7d135a06311c16ae5433ff64a82a46e62da7e05f6e077d2b.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

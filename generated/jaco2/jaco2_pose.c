@@ -1,5 +1,5 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9.
+ * Made from templates/kernel.c.j2; inputs 3bbc3e2ed2fb48f3ba2dfd1e782f9a9ddf2a337b92fae5619f19cdfe9169f53f.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9";
+const char jaco2_pose_digest[] = "3bbc3e2ed2fb48f3ba2dfd1e782f9a9ddf2a337b92fae5619f19cdfe9169f53f";
 #endif
 
 #define LANES 64

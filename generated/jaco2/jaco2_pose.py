@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9.
+Made from templates/kernel.py.j2; inputs 3bbc3e2ed2fb48f3ba2dfd1e782f9a9ddf2a337b92fae5619f19cdfe9169f53f.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs cde90572af455f95796a6e5cc40f34624f34881495f2b4b3f7a577d084b3cfa9.
+ * Made from templates/kernel.h.j2; inputs 3bbc3e2ed2fb48f3ba2dfd1e782f9a9ddf2a337b92fae5619f19cdfe9169f53f.
  * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

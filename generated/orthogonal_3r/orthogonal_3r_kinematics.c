@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d.
+ * Made from templates/kernel.c.j2; inputs 704f5b74d5c32b89ada151bf03e5a64dec9d928519c4ebc1bf9554131ed29050.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d";
+const char orthogonal_3r_kinematics_digest[] = "704f5b74d5c32b89ada151bf03e5a64dec9d928519c4ebc1bf9554131ed29050";
 #endif
 
 #define LANES 64

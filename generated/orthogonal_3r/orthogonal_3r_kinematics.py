@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 54382fbb094c0b51a619323f57352591c7735c0cb6ffebde3028c32a5a920a3d.
+Made from templates/kernel.py.j2; inputs 704f5b74d5c32b89ada151bf03e5a64dec9d928519c4ebc1bf9554131ed29050.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs ea5ef7084f3bd3ee8233042562664eabc682f6e7186ec7f49f2be56acdcdcf44.
+ * Made from templates/kernel.c.j2; inputs c6ff43b5d287b50444202d5e4aa84c95b5dc1aa5337dde5872290fa7e2821607.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "ea5ef7084f3bd3ee8233042562664eabc682f6e7186ec7f49f2be56acdcdcf44";
+const char panda_kinematics_digest[] = "c6ff43b5d287b50444202d5e4aa84c95b5dc1aa5337dde5872290fa7e2821607";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ea5ef7084f3bd3ee8233042562664eabc682f6e7186ec7f49f2be56acdcdcf44.
+Made from templates/kernel.py.j2; inputs c6ff43b5d287b50444202d5e4aa84c95b5dc1aa5337dde5872290fa7e2821607.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

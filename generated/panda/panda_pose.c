@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs 3ce863913e4c100295da71a3c12556f755dc85da1d8f1f2debb8d5b8c1806c1e.
+ * Made from templates/kernel.c.j2; inputs 624c244e28fbef391691459c59cdb5ec3776e4ac6233118f362e2d1f2f49c178.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "3ce863913e4c100295da71a3c12556f755dc85da1d8f1f2debb8d5b8c1806c1e";
+const char panda_pose_digest[] = "624c244e28fbef391691459c59cdb5ec3776e4ac6233118f362e2d1f2f49c178";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 3ce863913e4c100295da71a3c12556f755dc85da1d8f1f2debb8d5b8c1806c1e.
+ * Made from templates/kernel.h.j2; inputs 624c244e28fbef391691459c59cdb5ec3776e4ac6233118f362e2d1f2f49c178.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.h: kinematics of planar_rrr.
- * Made from templates/kernel.h.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+ * Made from templates/kernel.h.j2; inputs 2fc6c2cb15ffd003d7d654ae45788851fd62d77f4e0134b0208d268d21966649.
  * 299 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_position.c: manipulability (position) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3.
+ * Made from templates/kernel.c.j2; inputs 2fc6c2cb15ffd003d7d654ae45788851fd62d77f4e0134b0208d268d21966649.
  * 245 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_position_digest[] = "c48c3d500eaed78d0b088758c7e049f43facca35f78b58f0e7571929f4eb6dd3";
+const char planar_rrr_position_digest[] = "2fc6c2cb15ffd003d7d654ae45788851fd62d77f4e0134b0208d268d21966649";
 #endif
 
 #define LANES 64

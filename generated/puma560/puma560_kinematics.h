@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 753333dfdd28e6b9801a837891864caf08c2a28ead7b7c79890557334471af09.
+ * Made from templates/kernel.h.j2; inputs 97538028f5a6147218b56c074a283ab8fb8f48563523274834516882395ef75a.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5eb864a5190b67852bb52b37361d62ded3d39f304cfdd89ba61db7344de2b326.
+Made from templates/kernel.py.j2; inputs 944d3710ddb1ad0cb6ddc840ec49e82a10f8482008d95a0d3d951a89f3be10f7.
 435 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

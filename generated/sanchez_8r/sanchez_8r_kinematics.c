@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 50a024e2fd662fdd0b53ca6fd6eace34060bf858e3b5e11b4185358e98d254ed.
+ * Made from templates/kernel.c.j2; inputs 59518be89702d90e347d64165999218d80a33124e44ed00cbd6cfc5607ec047f.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "50a024e2fd662fdd0b53ca6fd6eace34060bf858e3b5e11b4185358e98d254ed";
+const char sanchez_8r_kinematics_digest[] = "59518be89702d90e347d64165999218d80a33124e44ed00cbd6cfc5607ec047f";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 50a024e2fd662fdd0b53ca6fd6eace34060bf858e3b5e11b4185358e98d254ed.
+Made from templates/kernel.py.j2; inputs 59518be89702d90e347d64165999218d80a33124e44ed00cbd6cfc5607ec047f.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

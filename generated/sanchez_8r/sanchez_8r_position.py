@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 70447f19d6ae96c205ec16a9bb33fc77566c44a5e17afd0e8181ef88382eb683.
+Made from templates/kernel.py.j2; inputs 4b84fe762386a584f7753926a39924e32c48935d9e6d9da424d0ac1691ba41fc.
 2301 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 59edcea07a3a6cb782e124d010b8625ef1b14dad1390b40f9e3f2f0f8ddc7b52.
+ * Made from templates/kernel.c.j2; inputs 23e75b0ed8fdadaab5ff31abf9fd8a602a0358abd0e4fe83c47c24aa5ba695fe.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "59edcea07a3a6cb782e124d010b8625ef1b14dad1390b40f9e3f2f0f8ddc7b52";
+const char ur5e_kinematics_digest[] = "23e75b0ed8fdadaab5ff31abf9fd8a602a0358abd0e4fe83c47c24aa5ba695fe";
 #endif
 
 #define LANES 64

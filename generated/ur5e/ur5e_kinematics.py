@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 59edcea07a3a6cb782e124d010b8625ef1b14dad1390b40f9e3f2f0f8ddc7b52.
+Made from templates/kernel.py.j2; inputs 23e75b0ed8fdadaab5ff31abf9fd8a602a0358abd0e4fe83c47c24aa5ba695fe.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs f5319021c3c0eb49e9062012b58ba8d82e08934420b1a0ad7c0f24bb3336ae01.
+ * Made from templates/kernel.c.j2; inputs f4fa45877836cc0b8b5ecd566abecd00904b9d19cb42beeed614a873e4d73fe1.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "f5319021c3c0eb49e9062012b58ba8d82e08934420b1a0ad7c0f24bb3336ae01";
+const char ur5e_pose_digest[] = "f4fa45877836cc0b8b5ecd566abecd00904b9d19cb42beeed614a873e4d73fe1";
 #endif
 
 #define LANES 64

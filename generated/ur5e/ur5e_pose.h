@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs f5319021c3c0eb49e9062012b58ba8d82e08934420b1a0ad7c0f24bb3336ae01.
+ * Made from templates/kernel.h.j2; inputs f4fa45877836cc0b8b5ecd566abecd00904b9d19cb42beeed614a873e4d73fe1.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f5319021c3c0eb49e9062012b58ba8d82e08934420b1a0ad7c0f24bb3336ae01.
+Made from templates/kernel.py.j2; inputs f4fa45877836cc0b8b5ecd566abecd00904b9d19cb42beeed614a873e4d73fe1.
 1082 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
