@@ -80,7 +80,8 @@ def breakdown(case: Case, q: Array, rounds: int, least_ns: float) -> Breakdown:
     outputs = MEMORY.rows(len(q), [shape for _, shape in evaluator.outputs])
     few = min(len(q), 1000)
     tasks: dict[str, tuple[Callable[[], object], int]] = {
-        name: (_call(kernel, len(q), inputs, outputs), len(q)) for name, kernel in kernels.items()}
+        name: (_call(kernel, len(q), inputs, outputs), len(q)) for name, kernel in kernels.items()
+    }
     tasks["cached"] = (_call(kernels["whole"], few, inputs, outputs), few)
 
     def fill() -> None:
@@ -90,8 +91,16 @@ def breakdown(case: Case, q: Array, rounds: int, least_ns: float) -> Breakdown:
     tasks["fill"] = (fill, len(q))
     found = in_turn(tasks, rounds, least_ns)
     whole, compute, terms = (found[name].median for name in VARIANTS)
-    return Breakdown(whole, whole - compute, compute - terms, terms, found["cached"].median, found["fill"].median,
-                     sum(value[0].nbytes for value in outputs), found["whole"].spread)
+    return Breakdown(
+        whole,
+        whole - compute,
+        compute - terms,
+        terms,
+        found["cached"].median,
+        found["fill"].median,
+        sum(value[0].nbytes for value in outputs),
+        found["whole"].spread,
+    )
 
 
 def _call(kernel: Kernel, count: int, inputs: tuple[Array, ...], outputs: tuple[Array, ...]) -> Callable[[], object]:
@@ -110,8 +119,10 @@ def _kernels(case: Case) -> dict[str, Kernel]:
     if command is None:
         raise RuntimeError("the breakdown needs a C compiler")
     with tempfile.TemporaryDirectory(prefix="benchmark-", ignore_cleanup_errors=True) as folder:
-        return {name: _variant(case, command, Path(folder) / name.replace(" ", "_"), defines)
-                for name, defines in VARIANTS.items()}
+        return {
+            name: _variant(case, command, Path(folder) / name.replace(" ", "_"), defines)
+            for name, defines in VARIANTS.items()
+        }
 
 
 def _variant(case: Case, command: list[str], stem: Path, defines: tuple[str, ...]) -> Kernel:
@@ -120,8 +131,22 @@ def _variant(case: Case, command: list[str], stem: Path, defines: tuple[str, ...
     source, library = stem.with_suffix(".c"), stem.with_suffix(".so")
     source.write_text(f'{WRAPPER}#include "{generated / model / f"{model}_{case.group}.c"}"\n', "utf-8")
     flags = [*compiling._flags()["common"], *compiling._flags()[compiling.instruction_set()]]
-    subprocess.run([*command, "-std=c99", *flags, *defines, f"-I{generated}", "-fPIC", "-shared", str(source),
-                    "-o", str(library), "-lm"], check=True)
+    subprocess.run(
+        [
+            *command,
+            "-std=c99",
+            *flags,
+            *defines,
+            f"-I{generated}",
+            "-fPIC",
+            "-shared",
+            str(source),
+            "-o",
+            str(library),
+            "-lm",
+        ],
+        check=True,
+    )
     loaded = ctypes.CDLL(str(library))
     kernel = getattr(loaded, f"{model}_{case.function}_batch")
     kernel.argtypes, kernel.restype = [ctypes.c_ssize_t, ctypes.c_void_p, ctypes.c_void_p], None

@@ -82,12 +82,33 @@ def cases() -> tuple[Case, ...]:
         return (*planar.kinematics(q), planar.manipulability(q))
 
     return (
-        Case("planar_3r", "planar 3R: position, Jacobian, H", planar, "survey_position",
-             (("position", (2,)), ("jacobian", (2, 3)), ("manipulability", ())), survey, 6.0),
-        Case("panda", "Panda: pose, 6 x 7 Jacobian", panda, "kinematics_pose",
-             (("pose", (4, 4)), ("jacobian", (6, 7))), panda.kinematics, 2.0),
-        Case("panda_gradient", "Panda: H and its gradient", panda, "manipulability_gradient_pose",
-             (("manipulability", ()), ("gradient", (7,))), panda.manipulability_gradient, 2.0),
+        Case(
+            "planar_3r",
+            "planar 3R: position, Jacobian, H",
+            planar,
+            "survey_position",
+            (("position", (2,)), ("jacobian", (2, 3)), ("manipulability", ())),
+            survey,
+            6.0,
+        ),
+        Case(
+            "panda",
+            "Panda: pose, 6 x 7 Jacobian",
+            panda,
+            "kinematics_pose",
+            (("pose", (4, 4)), ("jacobian", (6, 7))),
+            panda.kinematics,
+            2.0,
+        ),
+        Case(
+            "panda_gradient",
+            "Panda: H and its gradient",
+            panda,
+            "manipulability_gradient_pose",
+            (("manipulability", ()), ("gradient", (7,))),
+            panda.manipulability_gradient,
+            2.0,
+        ),
     )
 
 
@@ -103,8 +124,10 @@ class Memory:
         starts = np.cumsum([0, *(-(-size // 64) * 64 for size in sizes)])
         if starts[-1] > self._block.size:
             self._block = np.zeros(int(starts[-1]), np.uint8)
-        return tuple(self._block[start : start + size].view(kind).reshape(count, *shape)
-                     for start, size, shape in zip(starts, sizes, shapes, strict=False))
+        return tuple(
+            self._block[start : start + size].view(kind).reshape(count, *shape)
+            for start, size, shape in zip(starts, sizes, shapes, strict=False)
+        )
 
     def blank(self) -> None:
         """Nothing but nan, so that nobody passes with what another left there."""

@@ -77,7 +77,7 @@ def in_turn(tasks: Mapping[str, tuple[Callable[[], object], int]], rounds: int, 
     found: dict[str, list[float]] = {name: [] for name in tasks}
     names = list(tasks)
     for k in range(rounds):
-        for name in names[k % len(names):] + names[: k % len(names)]:
+        for name in names[k % len(names) :] + names[: k % len(names)]:
             task, count = tasks[name]
             found[name].append(once(task, repeats[name]) / (repeats[name] * count))
     return {name: Timing(tuple(values)) for name, values in found.items()}

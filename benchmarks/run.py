@@ -138,8 +138,9 @@ def _batch_rows(case: Case, everyone: list[Contender], effort: Effort) -> list[R
 def _single_rows(case: Case, everyone: list[Contender], effort: Effort) -> list[Row]:
     found = in_turn({c.name: (c.single, 1) for c in everyone if c.single}, effort.rounds, effort.least_ns / 4)
     mine = found["chainrule, bound"]
-    quickest = min((timing for name, timing in found.items() if "buffered" in name),
-                   key=lambda timing: timing.median, default=None)
+    quickest = min(
+        (timing for name, timing in found.items() if "buffered" in name), key=lambda timing: timing.median, default=None
+    )
     rows = []
     for name, timing in found.items():
         row = _row(f"{case.title}; single call", name, timing, mine)
@@ -153,13 +154,17 @@ def _part_rows(case: Case, q: Array, effort: Effort) -> list[Row]:
     found = breakdown(case, q, effort.rounds, effort.least_ns / 2)
     section = f"{case.title}; where our time goes"
     named = (
-        ("the kernel, called from C", found.whole), ("of it memory: rows in, rows out", found.memory),
-        ("of it sines and cosines", found.sines), ("of it the other terms", found.terms),
+        ("the kernel, called from C", found.whole),
+        ("of it memory: rows in, rows out", found.memory),
+        ("of it sines and cosines", found.sines),
+        ("of it the other terms", found.terms),
         ("the kernel, batches of 1,000 (in cache)", found.cached),
         (f"NumPy filling the same {found.outputs} bytes", found.fill),
     )
-    return [Row(section, name, value, "ns", found.spread if k == 0 else None, value / found.whole)
-            for k, (name, value) in enumerate(named)]
+    return [
+        Row(section, name, value, "ns", found.spread if k == 0 else None, value / found.whole)
+        for k, (name, value) in enumerate(named)
+    ]
 
 
 def _startup_rows(effort: Effort, progress: Progress) -> list[Row]:
@@ -194,9 +199,13 @@ def _facts(effort: Effort) -> dict[str, Any]:
     from chainrule.compile import compiler, instruction_set
 
     return {
-        "processor": _processor(), "instruction set": instruction_set(), "python": platform.python_version(),
-        "compiler": _compiler_version(compiler()), "packages": {name: _version(name) for name in PACKAGES},
-        "batch": effort.batch, "rounds": effort.rounds,
+        "processor": _processor(),
+        "instruction set": instruction_set(),
+        "python": platform.python_version(),
+        "compiler": _compiler_version(compiler()),
+        "packages": {name: _version(name) for name in PACKAGES},
+        "batch": effort.batch,
+        "rounds": effort.rounds,
     }
 
 

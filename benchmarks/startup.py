@@ -83,9 +83,12 @@ def startup(repeats: int) -> Startup:
         full = [_run(STEPS, folder / "cache0", "", groups) for _ in range(repeats)]
         bare = [_run(BARE, folder / "cache0") for _ in range(repeats)]
     return Startup(
-        bare=min(r[0] for r in bare), full=min(r[0] + r[1] for r in full),
-        generated=min(r[2] + r[3] for r in first), generated_cpu=min(r[4] for r in first),
-        cached=min(r[3] for r in again), cached_load=min(r[2] for r in again),
+        bare=min(r[0] for r in bare),
+        full=min(r[0] + r[1] for r in full),
+        generated=min(r[2] + r[3] for r in first),
+        generated_cpu=min(r[4] for r in first),
+        cached=min(r[3] for r in again),
+        cached_load=min(r[2] for r in again),
     )
 
 
@@ -100,8 +103,9 @@ def _changed(text: str) -> str:
 
 def _run(code: str, cache: Path, *arguments: str) -> list[float]:
     environment = {**os.environ, CACHE_VARIABLE: str(cache)}
-    done = subprocess.run([sys.executable, "-c", code, *arguments], env=environment, capture_output=True, text=True,
-                          check=False)
+    done = subprocess.run(
+        [sys.executable, "-c", code, *arguments], env=environment, capture_output=True, text=True, check=False
+    )
     if done.returncode != 0:
         raise RuntimeError(f"the start-up measurement failed: {done.stderr.strip().splitlines()[-1:]}")
     found: list[float] = json.loads(done.stdout)

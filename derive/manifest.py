@@ -8,6 +8,7 @@ inputs themselves, the digests of its files, and the functions it holds. Inputs 
 from __future__ import annotations
 
 import ast
+import contextlib
 import hashlib
 import json
 import os
@@ -121,22 +122,24 @@ def _module_file(places: Places, module: str) -> str | None:
     parts = module.split(".")
     if parts[0] != "chainrule" or len(parts) < 2:
         return None
-    stem = "/".join(parts[1:])
-    stem = stem if parts[1] == "derive" else f"src/chainrule/{stem}"
-    return next((f"{stem}{end}" for end in (".py", "/__init__.py") if places.locate(f"{stem}{end}").is_file()), None)
+    stem = "/".join(parts if parts[1] != "derive" else parts[1:]).replace("chainrule", "src/chainrule", 1)
+    for name in (f"{stem}.py", f"{stem}/__init__.py"):
+        if "/" in name and places.locate(name).is_file():
+            return name
+    return None
 
 
 def read(generated: Path) -> dict[str, Any]:
     """The manifest, or an empty one where there is none or it is not ours."""
-    try:
+    manifest: Any = {}
+    with contextlib.suppress(OSError, ValueError):
         manifest = json.loads((generated / "manifest.json").read_text("utf-8"))
-    except (OSError, ValueError):
-        manifest = {}
     parts = ("arms", "shared", "units")
     ours = isinstance(manifest, dict) and manifest.get("schema") == SCHEMA
     if not ours or not all(isinstance(manifest.get(part), dict) for part in parts):
-        manifest = {"schema": SCHEMA} | {part: {} for part in parts}
-    return manifest
+        return {"schema": SCHEMA} | {part: {} for part in parts}
+    found: dict[str, Any] = manifest
+    return found
 
 
 def write_whole(path: Path, content: str | bytes) -> None:

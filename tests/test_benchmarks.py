@@ -18,8 +18,12 @@ from benchmarks import measure, run, table  # noqa: E402
 from benchmarks.breakdown import breakdown  # noqa: E402
 from benchmarks.cases import MEMORY, Contender, Unavailable, cases  # noqa: E402
 
-NEEDS = {"casadi_peer": "casadi", "pinocchio_peer": "pinocchio", "toolbox_peer": "roboticstoolbox",
-         "sympy_peer": "sympy"}
+NEEDS = {
+    "casadi_peer": "casadi",
+    "pinocchio_peer": "pinocchio",
+    "toolbox_peer": "roboticstoolbox",
+    "sympy_peer": "sympy",
+}
 CASES = {case.key: case for case in cases()}
 
 
@@ -101,7 +105,8 @@ def test_the_harness_runs_and_reports(tmp_path: Path) -> None:
 
 
 def test_help_needs_nothing() -> None:
-    done = subprocess.run([sys.executable, "-m", "benchmarks", "--help"], cwd=ROOT, capture_output=True, text=True,
-                          check=False)
+    done = subprocess.run(
+        [sys.executable, "-m", "benchmarks", "--help"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
     assert done.returncode == 0
     assert "--markdown" in done.stdout

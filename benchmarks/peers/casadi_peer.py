@@ -55,8 +55,10 @@ def _function(case: Case, determinant: str) -> Any:
     import casadi as ca
 
     q = ca.SX.sym("q", case.arm.n)
-    made = min((_outputs(case, q, by_product, determinant) for by_product in (False, True)),
-               key=lambda found: ca.Function("f", [q], found).n_instructions())
+    made = min(
+        (_outputs(case, q, by_product, determinant) for by_product in (False, True)),
+        key=lambda found: ca.Function("f", [q], found).n_instructions(),
+    )
     # CasADi stores columns; a transposed result lies in memory as NumPy's rows do.
     return ca.Function("evaluate", [q], ca.cse([ca.densify(value.T) for value in made]))
 
@@ -68,8 +70,10 @@ def _outputs(case: Case, q: Any, by_product: bool, determinant: str) -> list[Any
     geometry = case.arm.description.geometry
     if isinstance(geometry, Planar):
         headings = [sum((q[k] for k in range(1, i + 1)), q[0]) for i in range(case.arm.n)]
-        terms = [ca.vertcat(length * ca.cos(a), length * ca.sin(a))
-                 for length, a in zip(geometry.lengths, headings, strict=True)]
+        terms = [
+            ca.vertcat(length * ca.cos(a), length * ca.sin(a))
+            for length, a in zip(geometry.lengths, headings, strict=True)
+        ]
         if by_product:  # headings by the addition theorem
             terms = _by_addition(geometry.lengths, q)
         position = sum(terms[1:], terms[0])
@@ -88,8 +92,11 @@ def _outputs(case: Case, q: Any, by_product: bool, determinant: str) -> list[Any
         frame = frame @ turn
     frame = frame @ _matrix(geometry.tool)
     tip = frame[:3, 3]
-    linear = (ca.horzcat(*(ca.cross(z, tip - o) for z, o in zip(axes, origins, strict=True)))
-              if by_product else ca.jacobian(tip, q))
+    linear = (
+        ca.horzcat(*(ca.cross(z, tip - o) for z, o in zip(axes, origins, strict=True)))
+        if by_product
+        else ca.jacobian(tip, q)
+    )
     jacobian = ca.vertcat(linear, ca.horzcat(*axes))
     if case.key == "panda":
         return [frame, jacobian]
@@ -132,11 +139,15 @@ def _compiled(case: Case, function: Any, q: Array) -> list[Contender]:
     names = [name for name, _ in case.outputs]
     sizes = [int(np.prod(shape)) for _, shape in case.outputs]
     driver = DRIVER.format(
-        outputs=", ".join(f"casadi_real *{name}" for name in names), n=case.arm.n,
-        sz_arg=function.sz_arg() + 1, sz_res=function.sz_res() + 1,
-        sz_iw=function.sz_iw() + 1, sz_w=function.sz_w() + 1,
-        advance="\n".join(f"        res[{k}] = {name} + i * {size};"
-                          for k, (name, size) in enumerate(zip(names, sizes, strict=True))),
+        outputs=", ".join(f"casadi_real *{name}" for name in names),
+        n=case.arm.n,
+        sz_arg=function.sz_arg() + 1,
+        sz_res=function.sz_res() + 1,
+        sz_iw=function.sz_iw() + 1,
+        sz_w=function.sz_w() + 1,
+        advance="\n".join(
+            f"        res[{k}] = {name} + i * {size};" for k, (name, size) in enumerate(zip(names, sizes, strict=True))
+        ),
     )
     generator = ca.CodeGenerator("evaluate.c", {"with_header": False})
     generator.add(function)
@@ -160,8 +171,10 @@ def _compiled(case: Case, function: Any, q: Array) -> list[Contender]:
         batch()
         return outputs
 
-    return [Contender("CasADi, compiled C", len(q), batch, results),
-            _buffered("CasADi, compiled C, buffered", case, external, rows)]
+    return [
+        Contender("CasADi, compiled C", len(q), batch, results),
+        _buffered("CasADi, compiled C, buffered", case, external, rows),
+    ]
 
 
 def _machine(case: Case, function: Any, q: Array) -> list[Contender]:
@@ -176,8 +189,9 @@ def _machine(case: Case, function: Any, q: Array) -> list[Contender]:
 
     def results() -> tuple[Array, ...]:
         found = mapped(columns)
-        return tuple(_rows(np.asarray(value), count, shape)
-                     for value, (_, shape) in zip(found, case.outputs, strict=True))
+        return tuple(
+            _rows(np.asarray(value), count, shape) for value, (_, shape) in zip(found, case.outputs, strict=True)
+        )
 
     one = q[0].copy()
 

@@ -43,8 +43,10 @@ def _function(case: Case) -> Any:
         found = np.empty((len(entries), *values.shape[:-1]))
         for k, value in enumerate(compiled(np.moveaxis(values, -1, 0))):
             found[k] = value
-        return tuple(np.moveaxis(part, 0, -1).reshape((*values.shape[:-1], *shape))
-                     for part, (_, shape) in zip(np.split(found, sizes), case.outputs, strict=True))
+        return tuple(
+            np.moveaxis(part, 0, -1).reshape((*values.shape[:-1], *shape))
+            for part, (_, shape) in zip(np.split(found, sizes), case.outputs, strict=True)
+        )
 
     return evaluate
 
@@ -55,8 +57,9 @@ def _expressions(case: Case, q: tuple[Any, ...]) -> list[Any]:
     geometry = case.arm.description.geometry
     if isinstance(geometry, Planar):
         headings = [sum(q[: i + 1]) for i in range(case.arm.n)]
-        position = sp.Matrix([sum(length * f(a) for length, a in zip(geometry.lengths, headings, strict=True))
-                              for f in (sp.cos, sp.sin)])
+        position = sp.Matrix(
+            [sum(length * f(a) for length, a in zip(geometry.lengths, headings, strict=True)) for f in (sp.cos, sp.sin)]
+        )
         jacobian = position.jacobian(q)
         return [position, jacobian, sp.Matrix([sp.sqrt((jacobian * jacobian.T).det())])]
     if not isinstance(geometry, Serial):
