@@ -130,7 +130,11 @@ def _variant(case: Case, command: list[str], stem: Path, defines: tuple[str, ...
     model, generated = case.arm.description.model.name, Places.here().generated
     source, library = stem.with_suffix(".c"), stem.with_suffix(".so")
     source.write_text(f'{WRAPPER}#include "{generated / model / f"{model}_{case.group}.c"}"\n', "utf-8")
-    flags = [*compiling._flags()["common"], *compiling._flags()[compiling.instruction_set()]]
+    flags = [
+        *compiling._flags()["common"],
+        *compiling._flags()["installed"],
+        *compiling._flags()[compiling.instruction_set()],
+    ]
     subprocess.run(
         [
             *command,

@@ -11,7 +11,7 @@ from chainrule.derive.catalogue import Function
 from chainrule.derive.lower import Kernel
 from chainrule.derive.manifest import Places
 from chainrule.derive.reference import manipulability, reference
-from chainrule.derive.write import make_unit
+from chainrule.derive.write import headers, make_unit
 from chainrule.description import Description, identifier
 
 DIGITS = 40
@@ -36,7 +36,7 @@ def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], N
     }
     files: dict[str, str] = {}
     if "c" in targets:
-        files |= {name: text for name, text in made.files.items() if not name.endswith(".py")} | emit.shared_headers()
+        files |= {name: text for name, text in made.files.items() if not name.endswith(".py")} | headers(Places.here())
         files[f"{unit}_float.c"] = emit.render("float.c.j2", context)
         files[f"test_{unit}.c"] = emit.render("test.c.j2", context)
     if "python" in targets:

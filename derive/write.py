@@ -104,6 +104,16 @@ def planned(arms: Iterable[Description]) -> dict[str, tuple[Model, str]]:
     return {f"{m.name}_{group}": (m, group) for m in models.values() for group in catalogue.groups(m)}
 
 
+def headers(places: Places) -> dict[str, str]:
+    """The headers every unit shares: as generated where that is current (deriving the sine takes a second)."""
+    shared = records.read(places.generated)["shared"]
+    if shared and "shared" not in records.stale_units(places, {"shared": shared, "units": {}}):
+        return {name: (places.generated / name).read_text("utf-8") for name in shared["files"]}
+    from chainrule.derive import emit
+
+    return emit.shared_headers()
+
+
 def _made(places: Places, model: Model, group: str) -> Unit:
     return make_unit(places, model, (group,))
 

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs f476d7b50c8c3efda26c1e16c21aea97a26ebb60b7fc7ec4f8c78e8f0ffc3fcb.
+ * Made from templates/kernel.c.j2; inputs d8f21c363ec8cf38660adb0f8e0b6e55f421476bb2f713e617b66d0cf54e0083.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "f476d7b50c8c3efda26c1e16c21aea97a26ebb60b7fc7ec4f8c78e8f0ffc3fcb";
+const char crx10ial_kinematics_digest[] = "d8f21c363ec8cf38660adb0f8e0b6e55f421476bb2f713e617b66d0cf54e0083";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 30cdcf0d9633caac18d7214b02ca2e39d8e8880e0e4cb08d123d5fe728365916.
+ * Made from templates/kernel.h.j2; inputs a5b4ce6bfc435110e76a71f3e13a118364fb98a97f02b15a9d641d0c9b159589.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs e5eb678135c27be29b71b261fba014d80884d10e34c5441797edff178ed55d7a.
+ * Made from templates/kernel.c.j2; inputs 784bc931f455d5e795f5505adc631343a998b81af199c40e9cd2aa954178edc7.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "e5eb678135c27be29b71b261fba014d80884d10e34c5441797edff178ed55d7a";
+const char gofa5_pose_digest[] = "784bc931f455d5e795f5505adc631343a998b81af199c40e9cd2aa954178edc7";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs e5eb678135c27be29b71b261fba014d80884d10e34c5441797edff178ed55d7a.
+ * Made from templates/kernel.h.j2; inputs 784bc931f455d5e795f5505adc631343a998b81af199c40e9cd2aa954178edc7.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

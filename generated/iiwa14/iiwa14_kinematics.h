@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 797ab5bee45472dc4cb7d065f355f3db12fbfb5fecf93d8bf3347adff90eb3c1.
+ * Made from templates/kernel.h.j2; inputs 0d1250f470529483eebb5de4e7845407b588429f9ae92bca7a14b550fbc775ce.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

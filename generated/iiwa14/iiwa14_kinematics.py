@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 797ab5bee45472dc4cb7d065f355f3db12fbfb5fecf93d8bf3347adff90eb3c1.
+Made from templates/kernel.py.j2; inputs 0d1250f470529483eebb5de4e7845407b588429f9ae92bca7a14b550fbc775ce.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

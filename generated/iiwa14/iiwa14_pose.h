@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 62aa6fa25d6fc355f0c30dd8b5b0a0c83ef619bb03b7f6c864e8c63a36546662.
+ * Made from templates/kernel.h.j2; inputs 1ff94f8fc63ee684c976ae586f0f9349920e79867d3bc9cc222abd7cb441c1fc.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

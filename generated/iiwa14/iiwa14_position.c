@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 62aa6fa25d6fc355f0c30dd8b5b0a0c83ef619bb03b7f6c864e8c63a36546662.
+ * Made from templates/kernel.c.j2; inputs 1ff94f8fc63ee684c976ae586f0f9349920e79867d3bc9cc222abd7cb441c1fc.
  * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "62aa6fa25d6fc355f0c30dd8b5b0a0c83ef619bb03b7f6c864e8c63a36546662";
+const char iiwa14_position_digest[] = "1ff94f8fc63ee684c976ae586f0f9349920e79867d3bc9cc222abd7cb441c1fc";
 #endif
 
 #define LANES 64

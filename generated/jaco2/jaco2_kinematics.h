@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs 7db6a321cedfb48b7d135a06311c16ae5433ff64a82a46e62da7e05f6e077d2b.
+ * Made from templates/kernel.h.j2; inputs 1d97d65bae929f56d25877032380be06bfd2e78e15e072435247d05dae402486.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

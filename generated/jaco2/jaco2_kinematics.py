@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7db6a321cedfb48b7d135a06311c16ae5433ff64a82a46e62da7e05f6e077d2b.
+Made from templates/kernel.py.j2; inputs 1d97d65bae929f56d25877032380be06bfd2e78e15e072435247d05dae402486.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 3bbc3e2ed2fb48f3ba2dfd1e782f9a9ddf2a337b92fae5619f19cdfe9169f53f.
+ * Made from templates/kernel.c.j2; inputs 949dedebe50f1e122c97032e287ce2fb4f326395c4b7c163c9577f6f199a36b5.
  * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "3bbc3e2ed2fb48f3ba2dfd1e782f9a9ddf2a337b92fae5619f19cdfe9169f53f";
+const char jaco2_position_digest[] = "949dedebe50f1e122c97032e287ce2fb4f326395c4b7c163c9577f6f199a36b5";
 #endif
 
 #define LANES 64

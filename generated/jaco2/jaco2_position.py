@@ -1,6 +1,6 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3bbc3e2ed2fb48f3ba2dfd1e782f9a9ddf2a337b92fae5619f19cdfe9169f53f.
+Made from templates/kernel.py.j2; inputs 949dedebe50f1e122c97032e287ce2fb4f326395c4b7c163c9577f6f199a36b5.
 1419 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 704f5b74d5c32b89ada151bf03e5a64dec9d928519c4ebc1bf9554131ed29050.
+ * Made from templates/kernel.h.j2; inputs b18c529d7f83b3e4e9fa5d430ec2204ccb7541c92db296d1b3a76ed83fc4bc6b.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

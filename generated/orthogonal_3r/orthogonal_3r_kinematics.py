@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 704f5b74d5c32b89ada151bf03e5a64dec9d928519c4ebc1bf9554131ed29050.
+Made from templates/kernel.py.j2; inputs b18c529d7f83b3e4e9fa5d430ec2204ccb7541c92db296d1b3a76ed83fc4bc6b.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs c6ff43b5d287b50444202d5e4aa84c95b5dc1aa5337dde5872290fa7e2821607.
+ * Made from templates/kernel.c.j2; inputs eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "c6ff43b5d287b50444202d5e4aa84c95b5dc1aa5337dde5872290fa7e2821607";
+const char panda_kinematics_digest[] = "eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs c6ff43b5d287b50444202d5e4aa84c95b5dc1aa5337dde5872290fa7e2821607.
+ * Made from templates/kernel.h.j2; inputs eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

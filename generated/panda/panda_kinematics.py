@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c6ff43b5d287b50444202d5e4aa84c95b5dc1aa5337dde5872290fa7e2821607.
+Made from templates/kernel.py.j2; inputs eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs 624c244e28fbef391691459c59cdb5ec3776e4ac6233118f362e2d1f2f49c178.
+ * Made from templates/kernel.h.j2; inputs a8fa2128c68b347644edf2d98957b27e99cd2421ec0bb2e652cf2c9d7035dd41.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.c: kinematics of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 2fc6c2cb15ffd003d7d654ae45788851fd62d77f4e0134b0208d268d21966649.
+ * Made from templates/kernel.c.j2; inputs 425d5a5c28acee851fa0fc2c334d57c574cc03d686e1d7c1d3ce7c21524c7754.
  * 299 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_kinematics_digest[] = "2fc6c2cb15ffd003d7d654ae45788851fd62d77f4e0134b0208d268d21966649";
+const char planar_rrr_kinematics_digest[] = "425d5a5c28acee851fa0fc2c334d57c574cc03d686e1d7c1d3ce7c21524c7754";
 #endif
 
 #define LANES 64

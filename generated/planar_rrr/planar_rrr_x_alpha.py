@@ -1,6 +1,6 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2fc6c2cb15ffd003d7d654ae45788851fd62d77f4e0134b0208d268d21966649.
+Made from templates/kernel.py.j2; inputs 425d5a5c28acee851fa0fc2c334d57c574cc03d686e1d7c1d3ce7c21524c7754.
 311 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

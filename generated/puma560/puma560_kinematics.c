@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 97538028f5a6147218b56c074a283ab8fb8f48563523274834516882395ef75a.
+ * Made from templates/kernel.c.j2; inputs 80c88db7ee503249885bd347d6a607dc5b3fc8edf2dbe95cef9c9bfd1a8336c3.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "97538028f5a6147218b56c074a283ab8fb8f48563523274834516882395ef75a";
+const char puma560_kinematics_digest[] = "80c88db7ee503249885bd347d6a607dc5b3fc8edf2dbe95cef9c9bfd1a8336c3";
 #endif
 
 #define LANES 64

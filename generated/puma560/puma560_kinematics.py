@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 97538028f5a6147218b56c074a283ab8fb8f48563523274834516882395ef75a.
+Made from templates/kernel.py.j2; inputs 80c88db7ee503249885bd347d6a607dc5b3fc8edf2dbe95cef9c9bfd1a8336c3.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 944d3710ddb1ad0cb6ddc840ec49e82a10f8482008d95a0d3d951a89f3be10f7.
+Made from templates/kernel.py.j2; inputs b541ffd4f7c486d4a281f485af73fce4bf643e107c57336b399d0ed9aee4720c.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 59518be89702d90e347d64165999218d80a33124e44ed00cbd6cfc5607ec047f.
+ * Made from templates/kernel.c.j2; inputs 50e878e39dbd1e7c0d9423937787e3cbfefd3e7b2624008251341891230d7456.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "59518be89702d90e347d64165999218d80a33124e44ed00cbd6cfc5607ec047f";
+const char sanchez_8r_kinematics_digest[] = "50e878e39dbd1e7c0d9423937787e3cbfefd3e7b2624008251341891230d7456";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 59518be89702d90e347d64165999218d80a33124e44ed00cbd6cfc5607ec047f.
+ * Made from templates/kernel.h.j2; inputs 50e878e39dbd1e7c0d9423937787e3cbfefd3e7b2624008251341891230d7456.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

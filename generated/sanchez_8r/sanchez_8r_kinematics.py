@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 59518be89702d90e347d64165999218d80a33124e44ed00cbd6cfc5607ec047f.
+Made from templates/kernel.py.j2; inputs 50e878e39dbd1e7c0d9423937787e3cbfefd3e7b2624008251341891230d7456.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 4b84fe762386a584f7753926a39924e32c48935d9e6d9da424d0ac1691ba41fc.
+ * Made from templates/kernel.h.j2; inputs 446df7a81984daa5ad9ed9f3768b4bd13d567ebabf0c891984577417178bf062.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 23e75b0ed8fdadaab5ff31abf9fd8a602a0358abd0e4fe83c47c24aa5ba695fe.
+Made from templates/kernel.py.j2; inputs 0afb8a11c530ab85fa24c9f02ead5e1d0974fe39e5bf4ce1f483c7aa2171312c.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f4fa45877836cc0b8b5ecd566abecd00904b9d19cb42beeed614a873e4d73fe1.
+Made from templates/kernel.py.j2; inputs 27e0a5b0d4bf9f1165d0f108fd6af6d829b5a332f03c08a40d2e29524070abfa.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -279,10 +279,10 @@ def _sources(model: Model, group: str, progress: Progress) -> tuple[dict[str, st
     """The files of a unit, derived now, all for one folder; and the record of its functions."""
     places, _ = _generated()
     progress(f"deriving {model.name}_{group}")
-    from chainrule.derive import emit, write
+    from chainrule.derive import write
 
     unit = write.make_unit(places, model, (group,), shared="")
-    return {**unit.files, **emit.shared_headers()}, unit.record["functions"]
+    return {**unit.files, **write.headers(places)}, unit.record["functions"]
 
 
 def compile_unit(folder: Path, name: str) -> Path | None:
@@ -299,7 +299,7 @@ def compile_unit(folder: Path, name: str) -> Path | None:
             stacklevel=2,
         )
         return None
-    flags = ["-std=c99", "-fPIC", *_flags()["common"], *_flags()[instruction_set()]]
+    flags = ["-std=c99", "-fPIC", *_flags()["common"], *_flags()["first_use"], *_flags()[instruction_set()]]
     library = folder / f"{name}.so"
     jobs = []
     for kind, define in (("double", []), ("float", ["-DCHAINRULE_FLOAT"])):
