@@ -66,18 +66,25 @@ class Evaluator:
         Raises:
             InputError: a wrong shape, or numbers that are not real.
         """
-        return self._short(*arrays) if out is None else self._general(*arrays, out=out)
+        outs = () if out is None else out if isinstance(out, tuple) else (out,)
+        if len(arrays) != len(self.inputs) or len(outs) not in (0, len(self.outputs)):
+            raise self._refusal([np.asarray(array) for array in arrays], out, ValueError("wrong number of arrays"))
+        return self._short(*arrays, *outs)
 
-    def _general(self, *arrays: Any, out: Any = None) -> Any:
-        """Through NumPy's own machinery, with every refusal in words."""
+    def _general(self, *arrays: Any) -> Any:
+        """Inputs and perhaps outputs through NumPy's own machinery, with every refusal in words."""
+        count = len(self.inputs)
+        given = len(arrays) == count + len(self.outputs)
+        outs = arrays[count:] if given else ()
+        out: Any = None if not given else outs if len(outs) > 1 else outs[0]
         try:
-            ready = [_real(array) for array in arrays]
+            ready = [_real(array) for array in (arrays[:count] if given else arrays)]
         except ValueError:
             raise InputError(
                 f"{self.name}: a ragged nested sequence was given; arrays of real numbers are accepted"
             ) from None
         try:
-            if len(ready) != len(self.inputs):
+            if len(ready) != count:
                 raise ValueError("wrong number of inputs")
             return self.function(*ready) if out is None else self.function(*ready, out=out)
         except (TypeError, ValueError) as error:
