@@ -68,8 +68,7 @@ def skeleton(arm: Arm, q: Any) -> Skeleton:
     import sympy as sp
 
     outputs = tuple(
-        Output(name, (len(rows), 3), tuple(sp.sympify(e) if isinstance(e, int) else e for row in rows for e in row))
-        for name, rows in vectors.items()
+        Output(name, (len(rows), 3), tuple(sp.S(e) for row in rows for e in row)) for name, rows in vectors.items()
     )
     program = needed(Program("skeleton", "", symbolic.inputs, tuple(steps.steps), outputs))
     given = {"q": [float(x) for x in q], "parameters": list(arm.description.model.parameters)}

@@ -123,7 +123,7 @@ def with_decimals(expression: Expression) -> Expression:
 def inner(expression: Expression) -> str:
     """An expression as the inside of a ``<math>`` element."""
     printer = _Printer({"mul_symbol": None})
-    text = printer._print(with_decimals(sp.sympify(expression))).toxml()
+    text = printer._print(with_decimals(sp.S(expression))).toxml()
     for written, meant in (("&InvisibleTimes;", "\u2062"), ("<mo>-</mo>", "<mo>\u2212</mo>")):
         text = str(text).replace(written, meant)
     return str(text)
