@@ -68,8 +68,9 @@ def assumed(arm: Arm) -> str:
 
 def turns_freely(arm: Arm) -> Array:
     """Which joints (n,) are revolute and without limits, so that an angle and the same angle plus a turn are one."""
-    free: Array = ~np.isfinite(arm.limits.position).any(axis=1)
-    return np.logical_and(free, np.array([kind == "R" for kind in arm.kinds]))
+    turning = np.array([kind == "R" for kind in arm.kinds])
+    free: Array = turning & ~np.isfinite(arm.limits.position).any(axis=1)
+    return free
 
 
 def samples(arm: Arm, count: int = SAMPLES, seed: int = 0) -> Array:
