@@ -20,7 +20,7 @@ from chainrule.derive import manifest as records
 from chainrule.derive import write
 from chainrule.derive.manifest import Places
 
-CHECKOUT = Places.here()
+CHECKOUT = Places.checkout(Path(__file__).resolve().parents[1])
 #: Few arms, so that all can be regenerated in seconds: a family with a closed form, a square arm, a redundant one.
 ARMS = ("planar_3r.toml", "puma560.toml", "panda.toml")
 UNITS = {
@@ -59,7 +59,7 @@ def run(root: Path, *arguments: str) -> tuple[int, str, str]:
 def made(tmp_path_factory) -> Path:
     """A copy of the checkout with three arms, its ``generated/`` made from nothing by one run."""
     root = tmp_path_factory.mktemp("checkout")
-    skip = shutil.ignore_patterns("__pycache__", "*.so", "_kernels")
+    skip = shutil.ignore_patterns("__pycache__", "*.so", "_kernels", "build")
     for source, target in (
         (CHECKOUT.package, "src/chainrule"),
         (CHECKOUT.derive, "derive"),

@@ -53,8 +53,8 @@ class Arm:
 
     Example:
         >>> arm = planar_3r(1.0, 0.5, 0.25)
-        >>> arm.position([0.0, 0.0, 0.0])
-        array([1.75, 0.  ])
+        >>> arm.position([0.5, 0.5, 0.5]).round(3)
+        array([1.165, 1.15 ])
     """
 
     def __init__(self, description: Description) -> None:
@@ -157,8 +157,8 @@ class Arm:
 
         Example:
             >>> arm = Arm.from_dh([("R", 0.0, 0.0, 0.3, 0.0), ("P", 0.0, 0.5, 0.0, 0.0)], name="lift")
-            >>> arm.position([0.0, 0.1])
-            array([0.5, 0. , 0.4])
+            >>> arm.position([0.5, 0.1]).round(3)
+            array([0.439, 0.24 , 0.4  ])
         """
         return cls(dh.from_dh(rows, **options))
 
@@ -268,9 +268,9 @@ class Arm:
         """Task Jacobian (..., m, n) in the base frame; rows (v; omega) for the spatial pose.
 
         Example:
-            >>> planar_3r(1.0, 0.5, 0.25).jacobian([0.0, 0.0, 0.0])
-            array([[-0.  , -0.  , -0.  ],
-                   [ 1.75,  0.75,  0.25]])
+            >>> planar_3r(1.0, 0.5, 0.25).jacobian([0.5, 0.5, 0.5]).round(3)
+            array([[-1.15 , -0.67 , -0.249],
+                   [ 1.165,  0.288,  0.018]])
         """
         result: Array = self._call("kinematics", f"jacobian_{self._task(task)}", q, out)
         return result
@@ -396,8 +396,8 @@ def planar(
         options: ``name``, ``joint_names``, ``source``.
 
     Example:
-        >>> planar("RP", [0.0, 0.5]).position([0.0, 0.25])
-        array([0.75, 0.  ])
+        >>> planar("RP", [0.0, 0.5]).position([0.5, 0.25]).round(3)
+        array([0.658, 0.36 ])
     """
     return Arm(families.planar(kinds, lengths, headings, **options))
 
@@ -406,7 +406,7 @@ def orthogonal_3r(d2: float, d3: float, d4: float, r2: float) -> Arm:
     """The orthogonal 3R arm (alpha_2 = -90 deg, alpha_3 = 90 deg, r_3 = 0) with lengths in m.
 
     Example:
-        >>> orthogonal_3r(1.0, 2.0, 1.5, 1.0).position([0.0, 0.0, 0.0])
-        array([4.5, 1. , 0. ])
+        >>> orthogonal_3r(1.0, 2.0, 1.5, 1.0).position([0.5, 0.5, 0.5]).round(3)
+        array([ 2.607,  3.383, -1.59 ])
     """
     return Arm(families.orthogonal_3r(d2, d3, d4, r2))
