@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import contextlib
 import json
 import os
 import random
@@ -365,8 +366,10 @@ def test_killed_at_any_moment(copy, made):
 
 def watch(root: Path, process: subprocess.Popen[bytes], count: int) -> None:
     """Return when ``count`` files have been written, or the process has ended."""
-    start = contents(root)
-    while process.poll() is None and len(written(start, contents(root))) < count:
+    start, changed = contents(root), 0
+    while process.poll() is None and changed < count:
+        with contextlib.suppress(FileNotFoundError):  # a temporary file may be renamed while it is looked at
+            changed = len(written(start, contents(root)))
         time.sleep(0.001)
 
 
