@@ -11,10 +11,11 @@ import chainrule as cr
 from chainrule import report
 from chainrule.description import Description
 from chainrule.manipulability import max_manipulability, min_manipulability, unit
+from chainrule.reach import reach, reach_bound
 from chainrule.readers import families
 from chainrule.report.mathml import inner, joint_numbers, split_name
 from chainrule.report.sections import ORDER
-from chainrule.workspace import dexterous_rings, reach, reach_bound, ring
+from chainrule.workspaces import dexterous_rings, ring
 
 VOID = {"meta", "link", "br", "hr", "img", "input", "col", "wbr"}
 HOSTILE = '<script>alert("x")</script><img src=http://evil.example/x onerror=y> {{ 7*7 }} \x1b[31m'

@@ -17,7 +17,7 @@ from chainrule.derive.planar_3r import closed_minors, singular_set
 from chainrule.derive.program import closed_form
 from chainrule.manipulability import max_manipulability
 from chainrule.papers import Row, compared, shown_equal
-from chainrule.workspace import dexterous_rings, ring, workspace
+from chainrule.workspaces import dexterous_rings, ring, workspace
 
 Expression = Any
 EXERCISE, BONUS = "exercise 1", "bonus exercise"

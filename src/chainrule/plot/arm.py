@@ -15,7 +15,7 @@ from chainrule.arm import Arm
 from chainrule.plot.style import COLOURS, WIDTH, figure, styled
 from chainrule.skeleton import Skeleton, skeleton
 from chainrule.tables import readable
-from chainrule.workspace import workspace
+from chainrule.workspaces import workspace
 
 Array = NDArray[Any]
 

@@ -17,9 +17,9 @@ from chainrule.manipulability import (
     max_manipulability,
     min_manipulability,
 )
+from chainrule.reach import Reach, reach
 from chainrule.search import Found, box
 from chainrule.tables import Table, functions
-from chainrule.workspace import Reach, reach
 
 Array = NDArray[Any]
 

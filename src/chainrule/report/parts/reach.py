@@ -9,7 +9,7 @@ from chainrule.report.content import Block, Finding, Grid, Part, Points, Prose
 from chainrule.report.context import Context
 from chainrule.report.sections import Section
 from chainrule.tables import Column, Table, posture, readable
-from chainrule.workspace import workspace
+from chainrule.workspaces import workspace
 
 
 def _rings(arm: Arm) -> list[Block]:
