@@ -235,7 +235,9 @@ def test_reproduce_says_no(call, monkeypatch):
 
 
 def test_an_interrupt_is_one_line(call, monkeypatch):
-    monkeypatch.setattr(cli, "_load", lambda *rest: (_ for _ in ()).throw(KeyboardInterrupt))
+    from chainrule.commands import arms
+
+    monkeypatch.setattr(arms, "load_arm", lambda *rest: (_ for _ in ()).throw(KeyboardInterrupt))
     code, out, err = call("show", "panda")
     assert (code, out) == (130, "")
     assert err.strip() == "chainrule: interrupted"

@@ -1,0 +1,168 @@
+"""What the commands share: the application, common arguments, reading numbers, writing tables, JSON and figures.
+
+Results go to standard output, everything else to standard error.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from chainrule.errors import InputError, shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from chainrule.arm import Arm
+    from chainrule.tables import Table
+
+app = typer.Typer(
+    name="chainrule",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    help="Derives what is true of a robot arm, writes it as fast code, and answers questions with it.\n\n"
+    "Example: chainrule report panda -o panda.html",
+)
+
+ArmName = Annotated[
+    str, typer.Argument(metavar="ARM", help="An embedded arm's name, or the path of a .toml or .urdf file.")
+]
+Tip = Annotated[str | None, typer.Option(help="URDF: the link at the end of the chain.")]
+Base = Annotated[str | None, typer.Option(help="URDF: the link at its start; the root when left out.")]
+Json = Annotated[bool, typer.Option("--json", help="Write JSON to standard output.")]
+Task = Annotated[str | None, typer.Option(help="The task: position, pose or x_alpha; the arm's own when left out.")]
+
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
+
+
+def load_arm(source: str, tip: str | None = None, base: str | None = None) -> Arm:
+    """The arm of a name or file, as :func:`chainrule.load`."""
+    from chainrule.arm import load
+
+    return load(source, tip=tip, base=base)
+
+
+def configuration(text: str, arm: Arm) -> list[float]:
+    """The numbers of one ``--q``, as many as the arm has joints."""
+    found = numbers(text, "--q")
+    if len(found) != arm.n:
+        raise InputError(f"--q: {len(found)} numbers given; {arm.name} has {arm.n} joints")
+    return found
+
+
+def finite(array: Any) -> Any:
+    """Nested lists in which what is not finite is null: JSON has no name for it."""
+    if array.ndim:
+        return [finite(part) for part in array]
+    value = float(array)
+    return value if value == value and abs(value) != float("inf") else None
+
+
+def print_json(content: Any) -> None:
+    """Write plain values as JSON."""
+    print(json.dumps(content, ensure_ascii=False, allow_nan=False, indent=2))
+
+
+def say(text: str) -> None:
+    """Write a line of results, without control characters."""
+    print("".join(c if c.isprintable() or c == "\n" else " " for c in text))
+
+
+def complain(text: str) -> None:
+    """Write one line to standard error."""
+    print(f"chainrule: {' '.join(text.split())}", file=sys.stderr)
+
+
+def table_or_json(table: Table, as_json: bool) -> None:
+    """Write a table for people or for machines."""
+    if as_json:
+        print_json(table.to_dict())
+    else:
+        print_table(table)
+
+
+def _console() -> Any:
+    from rich.console import Console
+
+    wide = None if sys.stdout.isatty() else 200
+    return Console(width=wide, highlight=False, markup=False, emoji=False)
+
+
+def print_table(table: Table) -> None:
+    """Write a table for people."""
+    from rich import box
+    from rich.table import Table as RichTable
+    from rich.text import Text
+
+    from chainrule.tables import readable
+
+    title = Text(table.caption) if table.caption else None
+    drawn = RichTable(title=title, title_justify="left", box=box.SIMPLE_HEAD, pad_edge=False, title_style="bold")
+    for k, column in enumerate(table.columns):
+        drawn.add_column(Text(column.heading), justify="right" if table.numeric(k) else "left", overflow="fold")
+    for row in table.rows:
+        drawn.add_row(*(Text(readable(cell)) for cell in row))
+    console = _console()
+    with console.capture() as captured:
+        console.print(drawn)
+    print("\n".join(line.rstrip() for line in captured.get().splitlines()))
+
+
+@contextmanager
+def progressing() -> Iterator[Callable[[str], None]]:
+    """A line of progress on standard error while something takes time, if somebody is looking."""
+    if not sys.stderr.isatty():
+        yield lambda line: None
+        return
+    from rich.console import Console
+    from rich.text import Text
+
+    console = Console(stderr=True, highlight=False)
+    with console.status(Text("working")) as status:
+        yield lambda line: status.update(Text(line))
+
+
+def numbers(text: str, what: str, count: int | None = None) -> list[float]:
+    """Finite numbers separated by commas or spaces; nothing in the text is evaluated.
+
+    Raises:
+        InputError: an entry that is not a number, or another number of entries than ``count``; named by ``what``.
+    """
+    entries = re.split(r"\s*,\s*|\s+", text.strip())
+    found = []
+    for place, entry in enumerate(entries, 1):
+        if len(entry) > 100 or not _NUMBER.fullmatch(entry) or abs(float(entry)) == float("inf"):
+            raise InputError(f"{what}, entry {place}: {shown(entry)} is not a finite number")
+        found.append(float(entry))
+    if count is not None and len(found) != count:
+        raise InputError(f"{what}: {len(found)} numbers given; {count} are accepted")
+    return found
+
+
+def write_figure(drawing: Figure, path: Path) -> None:
+    """A figure into a file, whole or not at all; the suffix says how.
+
+    Raises:
+        InputError: a suffix other than .svg, .png or .pdf.
+    """
+    import io
+
+    from chainrule.derive.manifest import write_whole
+    from chainrule.plot.style import COLOURS, styled
+
+    kind = path.suffix.lower().removeprefix(".")
+    if kind not in ("svg", "png", "pdf"):
+        raise InputError(f"{path}: a figure is written as .svg, .png or .pdf")
+    buffer = io.BytesIO()
+    dated: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
+    with styled():
+        drawing.savefig(buffer, format=kind, dpi=160, facecolor=COLOURS["paper"], metadata=dated[kind])
+    write_whole(path, buffer.getvalue())
