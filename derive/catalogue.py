@@ -9,32 +9,60 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
+from itertools import product
 from types import ModuleType
-from typing import Any
+from typing import Any, Literal
 
-from chainrule.derive import chain, manipulability, orthogonal_3r, planar, planar_3r
+from chainrule.derive import (
+    chain,
+    manipulability,
+    orthogonal_3r,
+    planar,
+    planar_3r,
+    planar_motion,
+    rest_to_rest,
+    speed_ratio,
+    speed_ratio_4,
+)
 from chainrule.derive.program import Program, Steps, needed
-from chainrule.description import Model
+from chainrule.description import REST_TO_REST, Model, planar_model
 
 #: The module of each family, and its tasks with their number of rows.
 FAMILIES: dict[str, tuple[ModuleType, dict[str, int]]] = {
     "serial": (chain, {"position": 3, "pose": 6}),
     "planar": (planar, {"position": 2, "x_alpha": 2, "pose": 3}),
     "orthogonal_3r": (chain, {"position": 3, "pose": 6}),
+    "motion": (rest_to_rest, {}),
 }
 
-#: Models with results in closed form: ``minors(arm)`` of the position Jacobian and perhaps ``survey(arm)``.
+#: Names of the functions that are derivatives of a program.
+_DERIVED = {"gradients": "manipulability_gradient_{}", "hessian": "manipulability_hessian_{}"}
+
+#: H^2 is differentiated twice where it is the sum of no more squares than this.
+MOST_TWICE = 10
+
+#: Models that are generated although no embedded arm needs them: motion profiles, and the planar arms of three joints.
+STANDING: tuple[Model, ...] = (REST_TO_REST, *(planar_model("".join(kinds)) for kinds in product("RP", repeat=3)))
+
+#: Models with results in closed form: ``minors(arm)`` of the position Jacobian, perhaps ``survey(arm)`` and the like.
 CLOSED_FORMS: dict[str, ModuleType] = {"planar_rrr": planar_3r, "orthogonal_3r": orthogonal_3r}
+
+
+Derivatives = Literal["", "gradients", "hessian"]
 
 
 @dataclass(frozen=True)
 class Function:
-    """One generated function: its program or, with ``gradient``, the gradients of that program's norm or product."""
+    """One generated function: its program or derivatives of it.
+
+    ``derivatives`` is ``"gradients"`` (of the norm or product of the program's output: H, and of 1/H and H^(-1/2)),
+    ``"hessian"`` (of the squared norm: H^2), or empty.
+    """
 
     name: str
     program: Program
-    gradient: bool = False
+    derivatives: Derivatives = ""
 
 
 class Subject:
@@ -43,6 +71,7 @@ class Subject:
     def __init__(self, model: Model, task: str = "") -> None:
         self.model, self.task = model, task
         self.family, self.tasks = FAMILIES[model.family]
+        self.planar = self.family is planar
         self.closed = CLOSED_FORMS.get(model.name)
         self.arm = symbolic(model)
 
@@ -69,9 +98,15 @@ class Subject:
         """Whether the task is treated by its minors."""
         return self.weights.outputs[0].name == "minors"
 
-    def survey(self) -> Program | None:
-        """Position, Jacobian and H together, where the closed forms make that cheap."""
-        return self.closed.survey(self.arm) if self.closed and hasattr(self.closed, "survey") else None
+    def closed_form(self, name: str) -> Program | None:
+        """A result that is known in closed form for this model only."""
+        found: Program | None = getattr(self.closed, name)(self.arm) if hasattr(self.closed, name) else None
+        return found
+
+    def small(self) -> Program | None:
+        """The minors of a planar arm, where they are few enough to be differentiated twice."""
+        few = self.planar and self.has_minors and len(self.weights.outputs[0].expressions) <= MOST_TWICE
+        return self.weights if few else None
 
     def null_vector(self) -> Program | None:
         """The null vector from the signed minors, where one joint is to spare."""
@@ -89,15 +124,21 @@ class Subject:
 class Entry:
     """One line of the catalogue.
 
-    ``group`` is ``"kinematics"`` (once for each model) or ``"manipulability"`` (one group for each task with no more
-    rows than joints); ``derivation`` makes the program, or None where a model has no such function; ``each_task``
-    repeats a line of the kinematics for every task; ``gradient`` asks for gradients of the program's norm or product.
+    ``group`` is ``"kinematics"`` (once for each model), ``"manipulability"`` (one group for each task with no more
+    rows than joints) or the name of a group that only some models have (:func:`extras`); ``derivation`` makes the
+    program, or None where a model has no such function; ``each_task`` repeats a line of the kinematics for every task;
+    ``derivatives`` asks for derivatives of the program (:class:`Function`).
     """
 
     group: str
     derivation: Callable[[Subject], Program | None]
     each_task: bool = False
-    gradient: bool = False
+    derivatives: Derivatives = ""
+
+
+def speed_ratio_terms(subject: Subject, leading: int) -> Program | None:
+    """Equations (5) to (9) of Ambike for a leading joint (from 1)."""
+    return speed_ratio.terms(subject.arm, leading) if subject.arm.n == 3 else None
 
 
 CATALOGUE: tuple[Entry, ...] = (
@@ -105,26 +146,52 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("kinematics", lambda s: s.family.placement(s.arm, "pose")),
     Entry("kinematics", lambda s: s.family.jacobian(s.arm, s.task), each_task=True),
     Entry("kinematics", lambda s: s.family.kinematics(s.arm, s.task), each_task=True),
-    Entry("kinematics", lambda s: s.survey()),
+    Entry("kinematics", lambda s: s.closed_form("survey")),
+    Entry("kinematics", lambda s: s.closed_form("postures")),
     Entry("manipulability", lambda s: manipulability.manipulability(s.weights, s.task)),
-    Entry("manipulability", lambda s: s.weights, gradient=True),
+    Entry("manipulability", lambda s: s.weights, derivatives="gradients"),
+    Entry("manipulability", lambda s: s.small(), derivatives="hessian"),
     Entry("manipulability", lambda s: s.weights if s.has_minors else None),
     Entry("manipulability", lambda s: s.null_vector()),
     Entry("manipulability", lambda s: s.null_projector()),
+    Entry("motion", lambda s: planar_motion.tip_motion(s.arm)),
+    *(Entry("speed_ratio", partial(speed_ratio_terms, leading=k)) for k in (1, 2, 3)),
+    Entry("speed_ratio", lambda s: speed_ratio.rates(s.arm) if s.arm.n == 3 else None),
+    Entry("speed_ratio", lambda s: speed_ratio_4.conditions(s.arm) if s.arm.n == 4 else None),
+    Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
+    Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
+    Entry("rest_to_rest", lambda s: rest_to_rest.state()),
 )
 
 
 def groups(model: Model) -> tuple[str, ...]:
-    """The groups of a model: ``kinematics``, then one for each task with no more rows than joints."""
+    """The groups of a model: ``kinematics``, one for each task with no more rows than joints, then the extras."""
     tasks = FAMILIES[model.family][1]
-    return ("kinematics", *(task for task, rows in tasks.items() if rows <= len(model.kinds)))
+    if not tasks:
+        return extras(model)
+    return ("kinematics", *(task for task, rows in tasks.items() if rows <= len(model.kinds)), *extras(model))
+
+
+def extras(model: Model) -> tuple[str, ...]:
+    """Groups that only some models have.
+
+    Planar arms have ``motion`` (the tip's path along a joint motion) and, with 3 or 4 joints, ``speed_ratio``; what is
+    no arm has one group, of its own name.
+    """
+    if model.family == "planar":
+        return ("motion", "speed_ratio") if len(model.kinds) in (3, 4) else ("motion",)
+    return (model.name,) if model.family == "motion" else ()
 
 
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     """The modules that a group's formulas are written in."""
+    family, tasks = FAMILIES[model.family]
+    if group in extras(model):
+        ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
+        return ({"motion": planar_motion, "speed_ratio": ratios}.get(group, family),)
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
-    general = [] if group == "kinematics" else [manipulability]
-    return (FAMILIES[model.family][0], *closed, *general)
+    general = [manipulability] if group in tasks else []
+    return (family, *closed, *general)
 
 
 def symbolic(model: Model) -> Any:
@@ -133,21 +200,23 @@ def symbolic(model: Model) -> Any:
         return planar.planar_chain(model.kinds, model.parameter_names)
     if model.family == "orthogonal_3r":
         return orthogonal_3r.orthogonal_chain()
+    if model.family == "motion":
+        return None
     return chain.chain(model.kinds, model.placements, model.tool)
 
 
 def functions(model: Model, group: str) -> list[Function]:
     """The functions of one group of a model, in the order of the catalogue."""
-    kind = "kinematics" if group == "kinematics" else "manipulability"
     every = tuple(FAMILIES[model.family][1])
+    kind = "manipulability" if group in every else group
     subjects = {task: Subject(model, task) for task in ("", *every)}
     found = []
     for entry in CATALOGUE:
         if entry.group != kind:
             continue
-        for task in every if entry.each_task else ("" if kind == "kinematics" else group,):
+        for task in every if entry.each_task else (group if kind == "manipulability" else "",):
             program = entry.derivation(subjects[task])
             if program is not None:
-                name = f"manipulability_gradient_{task}" if entry.gradient else program.name
-                found.append(Function(name, needed(program), entry.gradient))
+                name = _DERIVED[entry.derivatives].format(task) if entry.derivatives else program.name
+                found.append(Function(name, needed(program), entry.derivatives))
     return found

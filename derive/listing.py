@@ -34,9 +34,28 @@ class Language:
 
 C = Language(
     lambda x: f"CR_C({x!r})",
-    {"sqrt": "CR_SQRT({0})", "abs": "CR_FABS({0})", "where": "({0} != CR_C(0.0) ? {1} : CR_C(0.0))"},
+    {
+        "sqrt": "CR_SQRT({0})",
+        "abs": "CR_FABS({0})",
+        "where": "({0} != CR_C(0.0) ? {1} : CR_C(0.0))",
+        "min": "chainrule_min({0}, {1})",
+        "max": "chainrule_max({0}, {1})",
+        "atan2": "CR_ATAN2({0}, {1})",
+        "copysign": "CR_COPYSIGN({0}, {1})",
+    },
 )
-NUMPY = Language(repr, {"sqrt": "np.sqrt({0})", "abs": "np.abs({0})", "where": "np.where({0} != 0.0, {1}, 0.0)"})
+NUMPY = Language(
+    repr,
+    {
+        "sqrt": "np.sqrt({0})",
+        "abs": "np.abs({0})",
+        "where": "np.where({0} != 0.0, {1}, 0.0)",
+        "min": "np.minimum({0}, {1})",
+        "max": "np.maximum({0}, {1})",
+        "atan2": "np.arctan2({0}, {1})",
+        "copysign": "np.copysign({0}, {1})",
+    },
+)
 
 
 @dataclass(frozen=True)

@@ -13,7 +13,7 @@ from typing import Any
 import casadi as ca
 
 from chainrule.derive.catalogue import Function
-from chainrule.derive.program import GuardedInverse, Program, Shape
+from chainrule.derive.program import CopySign, GuardedInverse, Program, Shape, Where
 from chainrule.errors import GenerationError
 
 Operand = int | float  # the index of a value, or (as float) a constant
@@ -41,7 +41,8 @@ class Value:
     """One instruction: ``op`` applied to earlier values (indices) or constants (floats).
 
     ``op`` is ``input`` (args: input number, entry), ``sin``, ``cos``, ``sqrt``, ``neg``, ``abs``, ``inv``,
-    ``where`` (args x, y: y, but 0 where x is 0), ``add``, ``sub``, ``mul`` or ``div``.
+    ``where`` (args x, y: y, but 0 where x is 0), ``add``, ``sub``, ``mul``, ``div``, ``min``, ``max``, ``atan2`` or
+    ``copysign``.
     """
 
     op: str
@@ -75,9 +76,15 @@ def lower(function: Function) -> Kernel:
         (o.name, o.shape, ca.vertcat(*(_sx(e, values) for e in o.expressions))) for o in function.program.outputs
     ]
     summary = function.program.summary
-    if function.gradient:
+    if function.derivatives == "gradients":
         summary = f"H and the gradients of H, 1/H and H^(-1/2), through the {function.program.summary}"
         outputs = _gradients(inputs[0], *outputs[0])
+    elif function.derivatives == "hessian":
+        summary = f"H^2, its gradient and its Hessian, through the {function.program.summary}"
+        outputs = _hessian(inputs[0], outputs[0][2])
+    names = [i.name for i in function.program.inputs] + [name for name, _, _ in outputs]
+    if len(set(names)) < len(names):
+        raise GenerationError(f"{function.name}: an input and an output, or two of either, share a name: {names}")
     ports = tuple(Port(i.name, i.shape, tuple(str(symbol) for symbol in i.symbols)) for i in function.program.inputs)
     results = [entry for _, _, entry in outputs]
     casadi_function = ca.Function("f", inputs, ca.cse(results))
@@ -112,6 +119,15 @@ def _gradients(q: Any, kind: str, shape: Shape, weights: Any) -> list[tuple[str,
     }
     size = (q.numel(),)
     return [("manipulability", (), h), *((name, size, _where(h, value)) for name, value in found.items())]
+
+
+def _hessian(q: Any, minors: Any) -> list[tuple[str, Shape, Any]]:
+    """H^2 (a polynomial in the sines and cosines, smooth everywhere), its gradient and its Hessian."""
+    square = ca.sumsqr(minors)
+    hessian, gradient = ca.hessian(square, q)
+    size = q.numel()
+    entries = ca.vertcat(*(ca.densify(hessian)[i, j] for i in range(size) for j in range(size)))
+    return [("square", (), square), ("gradient", (size,), ca.densify(gradient)), ("hessian", (size, size), entries)]
 
 
 def _where(x: Any, y: Any) -> Any:
@@ -166,9 +182,16 @@ def _sx(e: Any, values: dict[Any, Any]) -> Any:
     name = type(e).__name__
     if name in ("sin", "cos"):
         return getattr(ca, name)(_sx(e.args[0], values))
+    if name in _PAIRS:
+        found = _sx(e.args[0], values)
+        for argument in e.args[1:]:
+            found = _PAIRS[name](found, _sx(argument, values))
+        return found
     if isinstance(e, GuardedInverse):
         x = _sx(e.args[0], values)
         return _where(x, 1 / x)
+    if isinstance(e, Where):
+        return _where(_sx(e.args[0], values), _sx(e.args[1], values))
     raise GenerationError(f"a step may not contain {name}: {e}")
 
 
@@ -206,28 +229,37 @@ class _Numbering:
             return inner
         if op == "add":
             if (inner := self._negated(args[1])) is not None:
-                return self._again("sub", args[0], inner)
+                return self.add("sub", args[0], inner)
             if (inner := self._negated(args[0])) is not None:
-                return self._again("sub", args[1], inner)
+                return self.add("sub", args[1], inner)
         if op == "sub" and (inner := self._negated(args[1])) is not None:
-            return self._again("add", args[0], inner)
+            return self.add("add", args[0], inner)
         if op == "mul":
             signs = [self._negated(a) for a in args]
             if signs[0] is not None and signs[1] is not None:
-                return self._again("mul", signs[0], signs[1])
+                return self.add("mul", signs[0], signs[1])
             if args[0] == -1.0 and isinstance(args[0], float):
-                return self._again("neg", args[1])
+                return self.add("neg", args[1])
             if args[1] == -1.0 and isinstance(args[1], float):
-                return self._again("neg", args[0])
-        if op in ("add", "mul"):
+                return self.add("neg", args[0])
+        if op in ("add", "mul", "min", "max"):
             args = tuple(sorted(args, key=lambda a: (isinstance(a, int), a)))
         return Value(op, args)
 
-    def _again(self, op: str, *args: Operand) -> Operand:
-        return self.add(op, *args)
 
+#: SymPy's functions of two arguments, as CasADi's.
+_PAIRS = {"Min": ca.fmin, "Max": ca.fmax, "atan2": ca.atan2, CopySign.__name__: ca.copysign}
 
-_BINARY = {ca.OP_ADD: "add", ca.OP_SUB: "sub", ca.OP_MUL: "mul", ca.OP_DIV: "div"}
+_BINARY = {
+    ca.OP_ADD: "add",
+    ca.OP_SUB: "sub",
+    ca.OP_MUL: "mul",
+    ca.OP_DIV: "div",
+    ca.OP_FMIN: "min",
+    ca.OP_FMAX: "max",
+    ca.OP_ATAN2: "atan2",
+    ca.OP_COPYSIGN: "copysign",
+}
 _UNARY = {ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_SQRT: "sqrt", ca.OP_NEG: "neg", ca.OP_FABS: "abs", ca.OP_INV: "inv"}
 
 

@@ -15,7 +15,7 @@ import sympy as sp
 
 from chainrule.derive.manipulability import root_sum_of_squares
 from chainrule.derive.planar import PlanarChain, jacobian_of, layout, place_output
-from chainrule.derive.program import Expression, Output, Program, Steps, closed_form
+from chainrule.derive.program import Expression, Input, Output, Program, Steps, closed_form
 
 
 @cache
@@ -80,4 +80,40 @@ def survey(arm: PlanarChain) -> Program:
     )
     return Program(
         "survey_position", "position, Jacobian and manipulability H together", arm.inputs, tuple(steps.steps), outputs
+    )
+
+
+def postures(arm: PlanarChain) -> Program:
+    """Both solutions q of a pose (x, y, alpha), and the radicand that says whether they exist.
+
+    The last joint sits at w = (x, y) - l3 (cos alpha, sin alpha), and the first two links reach it as a 2R arm:
+    with C = |w|^2 - l1^2 - l2^2 = 2 l1 l2 c2 and S = 2 l1 l2 s2 = +-sqrt(((l1 + l2)^2 - |w|^2) (|w|^2 - (l1 - l2)^2)),
+    q2 = atan2(S, C), q1 = atan2(w_y, w_x) - atan2(S, 2 l1^2 + C) and q3 = alpha - q1 - q2. Angles are not wrapped.
+    """
+    l1, l2, l3 = arm.inputs[1].symbols
+    target = Input("target", (3,), tuple(sp.Symbol(name, real=True) for name in ("x", "y", "alpha")))
+    x, y, alpha = target.symbols
+    steps = Steps()
+    wx = steps.let("wx", x - l3 * steps.let("c_alpha", sp.cos(alpha)))
+    wy = steps.let("wy", y - l3 * steps.let("s_alpha", sp.sin(alpha)))
+    square = steps.let("square", wx**2 + wy**2)
+    distance = steps.let("distance", sp.sqrt(square))
+    outside = steps.let("outside", (l1 + l2 - distance) * (l1 + l2 + distance))
+    inside = steps.let("inside", (distance - l1 + l2) * (distance + l1 - l2))
+    radicand = steps.let("radicand", outside * inside)
+    root = steps.let("S", sp.sqrt(sp.Max(radicand, sp.Integer(0))))
+    c = steps.let("C", square - l1**2 - l2**2)
+    towards = steps.let("towards", sp.atan2(wy, wx))
+    elbow = steps.let("elbow", sp.atan2(root, c))
+    bend = steps.let("bend", sp.atan2(root, 2 * l1**2 + c))
+    entries: list[Expression] = []
+    for sign in (1, -1):
+        first = steps.let("first", towards - sign * bend)
+        entries += [first, sign * elbow, alpha - first - sign * elbow]
+    return Program(
+        "postures",
+        "both postures of a pose (x, y, alpha), and the radicand, negative where there are none",
+        (target, arm.inputs[1]),
+        tuple(steps.steps),
+        (Output("q", (2, 3), tuple(entries)), Output("radicand", (), (radicand,))),
     )

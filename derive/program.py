@@ -161,8 +161,16 @@ def number(expression: Expression, values: Mapping[Expression, Any]) -> Any:
         return mpmath.sin(args[0])
     if isinstance(expression, sp.cos):
         return mpmath.cos(args[0])
+    if isinstance(expression, sp.Min | sp.Max):
+        return (min if isinstance(expression, sp.Min) else max)(args)
+    if isinstance(expression, sp.atan2):
+        return mpmath.atan2(*args)
     if isinstance(expression, GuardedInverse):
         return mpmath.mpf(0) if args[0] == 0 else 1 / args[0]
+    if isinstance(expression, Where):
+        return mpmath.mpf(0) if args[0] == 0 else args[1]
+    if isinstance(expression, CopySign):
+        return -abs(args[0]) if args[1] < 0 else abs(args[0])
     raise TypeError(f"a step may not contain {type(expression).__name__}: {expression}")
 
 
@@ -174,3 +182,15 @@ class GuardedInverse(sp.Function):  # type: ignore[misc]
     def fdiff(self, argindex: int = 1) -> Expression:
         """Derivative -1/x^2, and 0 where x is 0."""
         return -(GuardedInverse(self.args[0]) ** 2)
+
+
+class Where(sp.Function):  # type: ignore[misc]
+    """Where(x, y) is y, and 0 where x is 0; Where(x, 1) says whether x is not 0."""
+
+    nargs = 2
+
+
+class CopySign(sp.Function):  # type: ignore[misc]
+    """|x| with the sign of y: what keeps the roots of a quadratic free of cancellation."""
+
+    nargs = 2

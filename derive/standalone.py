@@ -67,8 +67,13 @@ def _one_line(text: str) -> str:
 
 def _reference_values(arm: Description, functions: list[Function], kernels: Sequence[Kernel]) -> dict[str, Any]:
     """Inputs, and for each function its ports with their reference values as literals of C and Python."""
-    parameters = {"parameters": list(arm.model.parameters)} if arm.model.parameters else {}
-    samples = [{"q": q, **parameters} for q in _configurations(arm, functions)]
+    ports = {port.name: port for function in functions for port in function.program.inputs}
+    generator = random.Random(arm.model.digest)
+    samples = []
+    for q in _configurations(arm, functions):
+        fixed = {"q": q, "parameters": list(arm.model.parameters)}
+        others = {n: [round(generator.uniform(-1.0, 1.0), 6) for _ in p.symbols] for n, p in ports.items()}
+        samples.append({name: fixed.get(name, others[name]) for name in ports})
     inputs = [
         {"name": name, "size": len(samples[0][name]), "rows": [_row(s[name]) for s in samples]} for name in samples[0]
     ]
@@ -89,7 +94,7 @@ def _configurations(arm: Description, functions: list[Function]) -> list[list[fl
         return found
 
     candidates = [one() for _ in range(8 * COUNT)]
-    weights = [f.program for f in functions if f.gradient]
+    weights = [f.program for f in functions if f.derivatives == "gradients"]
     if not weights:
         return candidates[:COUNT]
 

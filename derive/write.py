@@ -62,7 +62,8 @@ def make_unit(
     digest = records.digest_of_inputs(places, inputs, model.digest)
     name = name or f"{model.name}_{groups[0]}"
     kernels = [lower(function) for group in groups for function in catalogue.functions(model, group)]
-    words = ["kinematics" if group == "kinematics" else f"manipulability ({group})" for group in groups]
+    tasks = catalogue.FAMILIES[model.family][1]
+    words = [f"manipulability ({group})" if group in tasks else group.replace("_", " ") for group in groups]
     title = f"{' and '.join(words)} of {prefix or model.name}"
     files = emit.unit(name, prefix or model.name, title, kernels, digest, shared)
     functions = {
@@ -93,10 +94,13 @@ def embedded(places: Places) -> dict[str, Description]:
 
 
 def planned(arms: Iterable[Description]) -> dict[str, tuple[Model, str]]:
-    """The units that the given arms need: model and group by unit name. Arms of one family share their units."""
+    """The units that the given arms need, and the standing ones: model and group by unit name.
+
+    Arms of one family share their units.
+    """
     from chainrule.derive import catalogue
 
-    models: dict[str, Model] = {}
+    models: dict[str, Model] = {model.name: model for model in catalogue.STANDING}
     for arm in arms:
         known = models.setdefault(arm.model.name, arm.model)
         if known.digest != arm.model.digest:

@@ -27,16 +27,10 @@ typedef uint32_t chainrule_bits; /* as wide as real */
 #define CR_MAX FLT_MAX
 #define CR_SIN sinf
 #define CR_COS cosf
-#define CR_TAN tanf
 #define CR_ATAN2 atan2f
-#define CR_ASIN asinf
-#define CR_ACOS acosf
-#define CR_HYPOT hypotf
 #define CR_SQRT sqrtf
 #define CR_FABS fabsf
 #define CR_COPYSIGN copysignf
-#define CR_FMIN fminf
-#define CR_FMAX fmaxf
 #if defined(FP_FAST_FMAF) || defined(__FMA__) || defined(__aarch64__) || defined(__ARM_FEATURE_FMA)
 #define CR_HAS_FMA 1
 #define CR_MULADD(a, b, c) fmaf((a), (b), (c))
@@ -53,16 +47,10 @@ typedef uint64_t chainrule_bits; /* as wide as real */
 #define CR_MAX DBL_MAX
 #define CR_SIN sin
 #define CR_COS cos
-#define CR_TAN tan
 #define CR_ATAN2 atan2
-#define CR_ASIN asin
-#define CR_ACOS acos
-#define CR_HYPOT hypot
 #define CR_SQRT sqrt
 #define CR_FABS fabs
 #define CR_COPYSIGN copysign
-#define CR_FMIN fmin
-#define CR_FMAX fmax
 #if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__) \
     || (defined(__ARM_FEATURE_FMA) && defined(__ARM_FP) && (__ARM_FP & 8))
 #define CR_HAS_FMA 1
@@ -76,5 +64,16 @@ typedef uint64_t chainrule_bits; /* as wide as real */
 #define CR_HAS_FMA 0
 #define CR_MULADD(a, b, c) ((a) * (b) + (c))
 #endif
+
+/* The lesser and the greater of two numbers; nan where one of them is nan. */
+CR_INLINE real chainrule_min(real a, real b)
+{
+    return a < b || a != a ? a : b;
+}
+
+CR_INLINE real chainrule_max(real a, real b)
+{
+    return a > b || a != a ? a : b;
+}
 
 #endif /* CHAINRULE_REAL_H */

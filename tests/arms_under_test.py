@@ -119,7 +119,7 @@ def outputs_of(evaluator: Evaluator, arm: cr.Arm, q: Any) -> list[np.ndarray]:
 def truth(arm: str, group: str, function: str, q: Sequence[float]) -> list[list[Any]]:
     """Every output at one configuration at 40 digits: of the program, or for gradients of an independent derivative."""
     found = derived(arm, group)[function]
-    if found.gradient:
+    if found.derivatives == "gradients":
         return gradients(ARMS[arm].description, group, q)
     return list(evaluate(found.program, inputs_of(ARMS[arm], [float(x) for x in q]), 40).values())
 

@@ -132,7 +132,7 @@ def test_random_spatial_kinematics(arm, seed):
 def test_random_spatial_manipulability(arm, seed):
     q = configuration(arm, seed)
     with mpmath.workdps(50):
-        for task in arm.groups[1:]:
+        for task in arm.full_rank_tasks:
             check_manipulability(arm, q, task)
 
 
@@ -148,7 +148,7 @@ def test_random_planar_kinematics(arm, seed):
 def test_random_planar_manipulability(arm, seed):
     q = configuration(arm, seed)
     with mpmath.workdps(50):
-        for task in arm.groups[1:]:
+        for task in arm.full_rank_tasks:
             check_manipulability(arm, q, task)
 
 
@@ -157,7 +157,7 @@ def test_random_planar_manipulability(arm, seed):
 def test_manipulability_does_not_depend_on_the_base(arm, seed):
     """Turning the first joint (or shifting it) moves the whole arm; for the pose neither does the last joint matter."""
     q = configuration(arm, seed)
-    for task in arm.groups[1:]:
+    for task in arm.full_rank_tasks:
         here = value(arm, f"manipulability_{task}", q)[0]
         assert value(arm, f"manipulability_{task}", [q[0] + 1.234, *q[1:]])[0] == here
         if task == "pose":
@@ -180,7 +180,7 @@ def test_a_moved_base_moves_the_pose_and_nothing_else(arm, turn, shift, seed):
         first, second = (matrix(value(x, "pose", q), 4) for x in (plain, moved))
         first[0, 3] += mpmath.mpf(a + shift) - mpmath.mpf(a)
         assert largest(first - second) < 1e-15
-    for task in plain.groups[1:]:
+    for task in plain.full_rank_tasks:
         h, other = (value(x, f"manipulability_{task}", q)[0] for x in (plain, moved))
         assert abs(h - other) < 1e-14
 
@@ -216,7 +216,7 @@ def test_compiled_identities(name):
     assert np.abs(rotation @ rotation.swapaxes(1, 2) - np.eye(size)).max() < 4e-15
     assert np.abs(np.linalg.det(rotation) - 1).max() < 4e-15
     assert np.array_equal(pose[:, -1], np.broadcast_to(np.eye(size + 1)[-1], (2000, size + 1)))
-    for task in arm.groups[1:]:
+    for task in arm.full_rank_tasks:
         jacobian, h, minors = (f(q, task=task) for f in (arm.jacobian, arm.manipulability, arm.minors))
         reach = np.linalg.norm(jacobian, axis=2).prod(axis=1)
         assert np.all(np.abs(np.linalg.norm(minors, axis=-1) - h) <= 1e-15 * reach)

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs d8f21c363ec8cf38660adb0f8e0b6e55f421476bb2f713e617b66d0cf54e0083.
+ * Made from templates/kernel.h.j2; inputs 1eaa75761a941b73742b18fa453042ffa6e9d57afba0df39da98e464f2ea3030.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d8f21c363ec8cf38660adb0f8e0b6e55f421476bb2f713e617b66d0cf54e0083.
+Made from templates/kernel.py.j2; inputs 1eaa75761a941b73742b18fa453042ffa6e9d57afba0df39da98e464f2ea3030.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

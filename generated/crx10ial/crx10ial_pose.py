@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e9725fa601191801295da222a7366fd3b3f350f8045ed2988b90ae7dc8b356a6.
+Made from templates/kernel.py.j2; inputs 81b872a350c5f15339415f8b2deed8430939c826d417170d4648211587e11670.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

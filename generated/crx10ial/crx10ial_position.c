@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs e9725fa601191801295da222a7366fd3b3f350f8045ed2988b90ae7dc8b356a6.
+ * Made from templates/kernel.c.j2; inputs 81b872a350c5f15339415f8b2deed8430939c826d417170d4648211587e11670.
  * 1276 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "e9725fa601191801295da222a7366fd3b3f350f8045ed2988b90ae7dc8b356a6";
+const char crx10ial_position_digest[] = "81b872a350c5f15339415f8b2deed8430939c826d417170d4648211587e11670";
 #endif
 
 #define LANES 64

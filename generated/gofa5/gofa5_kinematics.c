@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs a5b4ce6bfc435110e76a71f3e13a118364fb98a97f02b15a9d641d0c9b159589.
+ * Made from templates/kernel.c.j2; inputs 703ed3792d9ff27e004f01651ad199d522d7641af6fc4e0db2dad4836222a667.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "a5b4ce6bfc435110e76a71f3e13a118364fb98a97f02b15a9d641d0c9b159589";
+const char gofa5_kinematics_digest[] = "703ed3792d9ff27e004f01651ad199d522d7641af6fc4e0db2dad4836222a667";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs a5b4ce6bfc435110e76a71f3e13a118364fb98a97f02b15a9d641d0c9b159589.
+ * Made from templates/kernel.h.j2; inputs 703ed3792d9ff27e004f01651ad199d522d7641af6fc4e0db2dad4836222a667.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 784bc931f455d5e795f5505adc631343a998b81af199c40e9cd2aa954178edc7.
+Made from templates/kernel.py.j2; inputs 5286b717650bbfddcb1fc190cdbedd917421046386aae1e60ad9af6afdc1c703.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 784bc931f455d5e795f5505adc631343a998b81af199c40e9cd2aa954178edc7.
+ * Made from templates/kernel.c.j2; inputs 5286b717650bbfddcb1fc190cdbedd917421046386aae1e60ad9af6afdc1c703.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "784bc931f455d5e795f5505adc631343a998b81af199c40e9cd2aa954178edc7";
+const char gofa5_position_digest[] = "5286b717650bbfddcb1fc190cdbedd917421046386aae1e60ad9af6afdc1c703";
 #endif
 
 #define LANES 64

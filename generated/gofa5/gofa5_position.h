@@ -1,5 +1,5 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs 784bc931f455d5e795f5505adc631343a998b81af199c40e9cd2aa954178edc7.
+ * Made from templates/kernel.h.j2; inputs 5286b717650bbfddcb1fc190cdbedd917421046386aae1e60ad9af6afdc1c703.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 0d1250f470529483eebb5de4e7845407b588429f9ae92bca7a14b550fbc775ce.
+ * Made from templates/kernel.c.j2; inputs 2cafe61f027bafa87fb0e394d3f1bfbd2e7128f96561fa0b1eaded192ea1e5ea.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "0d1250f470529483eebb5de4e7845407b588429f9ae92bca7a14b550fbc775ce";
+const char iiwa14_kinematics_digest[] = "2cafe61f027bafa87fb0e394d3f1bfbd2e7128f96561fa0b1eaded192ea1e5ea";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0d1250f470529483eebb5de4e7845407b588429f9ae92bca7a14b550fbc775ce.
+Made from templates/kernel.py.j2; inputs 2cafe61f027bafa87fb0e394d3f1bfbd2e7128f96561fa0b1eaded192ea1e5ea.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

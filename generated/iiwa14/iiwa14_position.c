@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 1ff94f8fc63ee684c976ae586f0f9349920e79867d3bc9cc222abd7cb441c1fc.
+ * Made from templates/kernel.c.j2; inputs 63423fba94d9342565f0edb20a9abd0c459dd4f65ba1820ac507cd1ccd8d5288.
  * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "1ff94f8fc63ee684c976ae586f0f9349920e79867d3bc9cc222abd7cb441c1fc";
+const char iiwa14_position_digest[] = "63423fba94d9342565f0edb20a9abd0c459dd4f65ba1820ac507cd1ccd8d5288";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1ff94f8fc63ee684c976ae586f0f9349920e79867d3bc9cc222abd7cb441c1fc.
+Made from templates/kernel.py.j2; inputs 63423fba94d9342565f0edb20a9abd0c459dd4f65ba1820ac507cd1ccd8d5288.
 1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 949dedebe50f1e122c97032e287ce2fb4f326395c4b7c163c9577f6f199a36b5.
+ * Made from templates/kernel.c.j2; inputs 52cea254f0f0952678709c509b2130eead1b924d3be34a37fcb1ba387f885091.
  * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "949dedebe50f1e122c97032e287ce2fb4f326395c4b7c163c9577f6f199a36b5";
+const char jaco2_position_digest[] = "52cea254f0f0952678709c509b2130eead1b924d3be34a37fcb1ba387f885091";
 #endif
 
 #define LANES 64

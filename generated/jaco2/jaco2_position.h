@@ -1,5 +1,5 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs 949dedebe50f1e122c97032e287ce2fb4f326395c4b7c163c9577f6f199a36b5.
+ * Made from templates/kernel.h.j2; inputs 52cea254f0f0952678709c509b2130eead1b924d3be34a37fcb1ba387f885091.
  * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

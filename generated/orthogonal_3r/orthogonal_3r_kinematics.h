@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs b18c529d7f83b3e4e9fa5d430ec2204ccb7541c92db296d1b3a76ed83fc4bc6b.
+ * Made from templates/kernel.h.j2; inputs b8bbc8f2754690ede57dace505dd866cbdbf1f6d608196e96d62b7c5da9c354b.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

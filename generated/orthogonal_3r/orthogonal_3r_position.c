@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs b18c529d7f83b3e4e9fa5d430ec2204ccb7541c92db296d1b3a76ed83fc4bc6b.
+ * Made from templates/kernel.c.j2; inputs b8bbc8f2754690ede57dace505dd866cbdbf1f6d608196e96d62b7c5da9c354b.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "b18c529d7f83b3e4e9fa5d430ec2204ccb7541c92db296d1b3a76ed83fc4bc6b";
+const char orthogonal_3r_position_digest[] = "b8bbc8f2754690ede57dace505dd866cbdbf1f6d608196e96d62b7c5da9c354b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b18c529d7f83b3e4e9fa5d430ec2204ccb7541c92db296d1b3a76ed83fc4bc6b.
+Made from templates/kernel.py.j2; inputs b8bbc8f2754690ede57dace505dd866cbdbf1f6d608196e96d62b7c5da9c354b.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

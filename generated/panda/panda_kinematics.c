@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc.
+ * Made from templates/kernel.c.j2; inputs 31673d654ebdc40846d1e91b9f6f896b96510da901415880ae6ffe87b63d413b.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc";
+const char panda_kinematics_digest[] = "31673d654ebdc40846d1e91b9f6f896b96510da901415880ae6ffe87b63d413b";
 #endif
 
 #define LANES 64

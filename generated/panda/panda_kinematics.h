@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc.
+ * Made from templates/kernel.h.j2; inputs 31673d654ebdc40846d1e91b9f6f896b96510da901415880ae6ffe87b63d413b.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs eb570963122e3305da501a475b8c9b04eef42a4727ac0e43797a49849f4520dc.
+Made from templates/kernel.py.j2; inputs 31673d654ebdc40846d1e91b9f6f896b96510da901415880ae6ffe87b63d413b.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs a8fa2128c68b347644edf2d98957b27e99cd2421ec0bb2e652cf2c9d7035dd41.
+ * Made from templates/kernel.c.j2; inputs 30531acd11523bf0691ffe6be24d1ea04988bc283213fa62bd62c6cec093ec8e.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "a8fa2128c68b347644edf2d98957b27e99cd2421ec0bb2e652cf2c9d7035dd41";
+const char panda_pose_digest[] = "30531acd11523bf0691ffe6be24d1ea04988bc283213fa62bd62c6cec093ec8e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs a8fa2128c68b347644edf2d98957b27e99cd2421ec0bb2e652cf2c9d7035dd41.
+ * Made from templates/kernel.h.j2; inputs 30531acd11523bf0691ffe6be24d1ea04988bc283213fa62bd62c6cec093ec8e.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

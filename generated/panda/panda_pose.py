@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a8fa2128c68b347644edf2d98957b27e99cd2421ec0bb2e652cf2c9d7035dd41.
+Made from templates/kernel.py.j2; inputs 30531acd11523bf0691ffe6be24d1ea04988bc283213fa62bd62c6cec093ec8e.
 2645 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

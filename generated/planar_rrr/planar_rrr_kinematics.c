@@ -1,6 +1,6 @@
 /* planar_rrr_kinematics.c: kinematics of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 425d5a5c28acee851fa0fc2c334d57c574cc03d686e1d7c1d3ce7c21524c7754.
- * 299 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
+ * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_kinematics.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_kinematics_digest[] = "425d5a5c28acee851fa0fc2c334d57c574cc03d686e1d7c1d3ce7c21524c7754";
+const char planar_rrr_kinematics_digest[] = "3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a";
 #endif
 
 #define LANES 64
@@ -304,6 +304,39 @@ void CHAINRULE_NAME(planar_rrr_survey_position_batch)(ptrdiff_t count, char *con
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[7], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], streaming);
             chainrule_scatter(manipulability, 64, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(planar_rrr_postures)(const real *target, const real *parameters, real *q, real *radicand)
+{
+    planar_rrr_postures_one(target, parameters, q, radicand);
+}
+
+void CHAINRULE_NAME(planar_rrr_postures_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real target[3 * 64];
+    real parameters[3 * 64];
+    real q[6 * 64];
+    real radicand[1 * 64];
+    const int streaming = chainrule_streams(count, 7);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(target, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
+            planar_rrr_postures_one(target, parameters, q, radicand);
+            chainrule_scatter(q, 1, 1, args[2] + start * steps[2], steps[2], 2, 3, steps[6], steps[7], 0);
+            chainrule_scatter(radicand, 1, 1, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+        } else {
+            chainrule_gather(target, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
+            planar_rrr_postures_tile(target, parameters, q, radicand);
+            chainrule_scatter(q, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[6], steps[7], streaming);
+            chainrule_scatter(radicand, 64, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
     chainrule_settle(streaming);

@@ -1,6 +1,6 @@
 /* planar_rrr_kinematics.h: kinematics of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 425d5a5c28acee851fa0fc2c334d57c574cc03d686e1d7c1d3ce7c21524c7754.
- * 299 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
+ * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -115,6 +115,17 @@ void planar_rrr_survey_position(const double *q, const double *parameters, doubl
 void planar_rrr_survey_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_survey_positionf(const float *q, const float *parameters, float *position, float *jacobian, float *manipulability);
 void planar_rrr_survey_position_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* both postures of a pose (x, y, alpha), and the radicand, negative where there are none.
+ *   in   target[3] = (x, y, alpha)
+ *   in   parameters[3] = (l1, l2, l3)
+ *   out  q[2][3]
+ *   out  radicand (one number)
+ *   38 operations */
+void planar_rrr_postures(const double *target, const double *parameters, double *q, double *radicand);
+void planar_rrr_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void planar_rrr_posturesf(const float *target, const float *parameters, float *q, float *radicand);
+void planar_rrr_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 #ifdef __cplusplus
 }

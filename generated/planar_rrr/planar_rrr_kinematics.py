@@ -1,7 +1,7 @@
 """kinematics of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 425d5a5c28acee851fa0fc2c334d57c574cc03d686e1d7c1d3ce7c21524c7754.
-299 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
+337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -461,3 +461,55 @@ def survey_position(q, parameters):
     jacobian[..., 5] = t4
     manipulability[..., 0] = np.sqrt((t10 * t10 + t11 * t11 + t12 * t12))
     return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3)), manipulability.reshape(leading)
+
+
+def postures(target, parameters):
+    """both postures of a pose (x, y, alpha), and the radicand, negative where there are none: 38 operations.
+
+    in   target[3] = (x, y, alpha)
+    in   parameters[3] = (l1, l2, l3)
+    out  q[2][3]
+    out  radicand (one number)
+    """
+    target = np.asarray(target)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(target.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(target, parameters, np.float32)
+
+    # inputs, sines and cosines
+    y = target[..., 1]
+    l3 = parameters[..., 2]
+    alpha = target[..., 2]
+    sin_alpha = np.sin(alpha)
+    x = target[..., 0]
+    cos_alpha = np.cos(alpha)
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
+
+    # terms
+    t1 = y - l3 * sin_alpha
+    t2 = x - l3 * cos_alpha
+    t3 = np.arctan2(t1, t2)
+    t4 = t2 * t2 + t1 * t1
+    t5 = np.sqrt(t4)
+    t6 = t5 + l1
+    t7 = (t6 - l2) * (t5 + l2 - l1) * ((t6 + l2) * (l1 + l2 - t5))
+    t8 = np.sqrt(np.maximum(0.0, t7))
+    t9 = l1 * l1
+    t10 = t4 - t9 - l2 * l2
+    t11 = np.arctan2(t8, t10 + (t9 + t9))
+    t12 = t3 - t11
+    t13 = np.arctan2(t8, t10)
+    t14 = t3 + t11
+
+    # results
+    q = np.empty((*leading, 6), real)
+    radicand = np.empty((*leading, 1), real)
+    q[..., 0] = t12
+    q[..., 1] = t13
+    q[..., 2] = alpha - t13 - t12
+    q[..., 3] = t14
+    q[..., 4] = -t13
+    q[..., 5] = alpha + t13 - t14
+    radicand[..., 0] = t7
+    return q.reshape(leading + (2, 3)), radicand.reshape(leading)

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 80c88db7ee503249885bd347d6a607dc5b3fc8edf2dbe95cef9c9bfd1a8336c3.
+Made from templates/kernel.py.j2; inputs 0e2f3ee67647528caeeeb4bbaa7e1ce84582e1295ca542d5f0c2491d063bef31.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

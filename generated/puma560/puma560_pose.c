@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs b541ffd4f7c486d4a281f485af73fce4bf643e107c57336b399d0ed9aee4720c.
+ * Made from templates/kernel.c.j2; inputs ca77fd2aff08a7173343657720055644a7fa39b6897116f3f2a8669bf295a6fa.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "b541ffd4f7c486d4a281f485af73fce4bf643e107c57336b399d0ed9aee4720c";
+const char puma560_pose_digest[] = "ca77fd2aff08a7173343657720055644a7fa39b6897116f3f2a8669bf295a6fa";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs b541ffd4f7c486d4a281f485af73fce4bf643e107c57336b399d0ed9aee4720c.
+ * Made from templates/kernel.h.j2; inputs ca77fd2aff08a7173343657720055644a7fa39b6897116f3f2a8669bf295a6fa.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 50e878e39dbd1e7c0d9423937787e3cbfefd3e7b2624008251341891230d7456.
+ * Made from templates/kernel.c.j2; inputs 362d3f72d3257db52167d35bdfaef946c5f37e0066ea586c3d8fe8c0cc39a444.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "50e878e39dbd1e7c0d9423937787e3cbfefd3e7b2624008251341891230d7456";
+const char sanchez_8r_kinematics_digest[] = "362d3f72d3257db52167d35bdfaef946c5f37e0066ea586c3d8fe8c0cc39a444";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 50e878e39dbd1e7c0d9423937787e3cbfefd3e7b2624008251341891230d7456.
+Made from templates/kernel.py.j2; inputs 362d3f72d3257db52167d35bdfaef946c5f37e0066ea586c3d8fe8c0cc39a444.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0afb8a11c530ab85fa24c9f02ead5e1d0974fe39e5bf4ce1f483c7aa2171312c.
+Made from templates/kernel.py.j2; inputs e3a66b270900ab2646b2c33e15c54df21711941d3b6c87135246cff678583866.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 27e0a5b0d4bf9f1165d0f108fd6af6d829b5a332f03c08a40d2e29524070abfa.
+ * Made from templates/kernel.c.j2; inputs fcbf2e0a0226041f68a51952d2c2cdbde022ad8820a59cb2e9c18e6785daeb82.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "27e0a5b0d4bf9f1165d0f108fd6af6d829b5a332f03c08a40d2e29524070abfa";
+const char ur5e_pose_digest[] = "fcbf2e0a0226041f68a51952d2c2cdbde022ad8820a59cb2e9c18e6785daeb82";
 #endif
 
 #define LANES 64

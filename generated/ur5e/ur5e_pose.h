@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs 27e0a5b0d4bf9f1165d0f108fd6af6d829b5a332f03c08a40d2e29524070abfa.
+ * Made from templates/kernel.h.j2; inputs fcbf2e0a0226041f68a51952d2c2cdbde022ad8820a59cb2e9c18e6785daeb82.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -187,8 +187,15 @@ class Arm:
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """Groups of generated functions: ``kinematics``, then each task with no more rows than joints."""
-        return ("kinematics", *(task for task, rows in self.tasks.items() if rows <= self.n))
+        """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and what planar arms have more."""
+        planar = isinstance(self._description.geometry, Planar)
+        more = (("motion", "speed_ratio") if self.n in (3, 4) else ("motion",)) if planar else ()
+        return ("kinematics", *self.full_rank_tasks, *more)
+
+    @property
+    def full_rank_tasks(self) -> tuple[str, ...]:
+        """The tasks with no more rows than joints: their Jacobians have maximal minors, hence a manipulability."""
+        return tuple(task for task, rows in self.tasks.items() if rows <= self.n)
 
     @property
     def parameters(self) -> Array:

@@ -91,7 +91,7 @@ def _programs(arm: Arm) -> list[tuple[str, Any]]:
     from chainrule.derive import catalogue
 
     model = arm.description.model
-    return [(group, f.program) for group in arm.groups for f in catalogue.functions(model, group) if not f.gradient]
+    return [(group, f.program) for group in arm.groups for f in catalogue.functions(model, group) if not f.derivatives]
 
 
 def _inputs(arm: Arm, q: Any) -> dict[str, list[Any]]:
@@ -206,7 +206,7 @@ def _minors(arm: Arm) -> list[Check]:
     found = []
     names = {program.name for _, program in _programs(arm)}
     q = samples(arm, MANY // 5, seed=15)
-    for task in arm.groups[1:]:
+    for task in arm.full_rank_tasks:
         if f"minors_{task}" not in names:
             continue
         jacobian = np.asarray(arm.jacobian(q, task=task))
@@ -229,7 +229,7 @@ def _minors(arm: Arm) -> list[Check]:
 def _singular_values(arm: Arm) -> list[Check]:
     q = samples(arm, MANY, seed=16)
     found = []
-    for task in arm.groups[1:]:
+    for task in arm.full_rank_tasks:
         values = np.linalg.svd(np.asarray(arm.jacobian(q, task=task)), compute_uv=False)
         expected = values.prod(axis=1)
         scale = values[:, 0] ** values.shape[1]

@@ -228,17 +228,36 @@ class Model:
     """What generated code depends on: the symbolic structure, without limits, inertias or the family's numbers.
 
     ``parameters`` are the numbers a family's functions take at run time (empty for a serial chain, whose
-    numbers are in its code). ``digest`` identifies the structure; ``name`` is a safe identifier.
+    numbers are in its code). ``digest`` identifies the structure; ``name`` is a safe identifier. The family
+    ``motion`` is no arm: motion profiles along one axis.
     """
 
-    family: Literal["serial", "planar", "orthogonal_3r"]
+    family: Literal["serial", "planar", "orthogonal_3r", "motion"]
     name: str
-    kinds: str
-    parameter_names: tuple[str, ...]
-    parameters: tuple[float, ...]
-    placements: tuple[Transform, ...]
-    tool: Transform
-    digest: str
+    kinds: str = ""
+    parameter_names: tuple[str, ...] = ()
+    parameters: tuple[float, ...] = ()
+    placements: tuple[Transform, ...] = ()
+    tool: Transform = Transform()
+
+    @property
+    def digest(self) -> str:
+        """What identifies the structure: everything but the family's numbers."""
+        transforms = [[t.rotation, t.translation] for t in (*self.placements, self.tool)]
+        content = [self.family, self.kinds, self.parameter_names, transforms]
+        return hashlib.sha256(json.dumps(content, separators=(",", ":")).encode()).hexdigest()
+
+
+#: Motion profiles along one axis, from rest to rest.
+REST_TO_REST = Model("motion", "rest_to_rest")
+
+
+def planar_model(kinds: str, lengths: Sequence[float] = (), headings: Sequence[float] = ()) -> Model:
+    """The model of the planar chains with these joints; the numbers of one of them when given."""
+    turning = [i for i, kind in enumerate(kinds) if kind == "P"]
+    names = (*(f"l{i + 1}" for i in range(len(kinds))), *(f"heading{i + 1}" for i in turning))
+    values = (*lengths, *(headings[i] for i in turning)) if headings else ()
+    return Model("planar", f"planar_{kinds.lower()}", kinds, names, tuple(values))
 
 
 def identifier(name: str) -> str:
@@ -249,26 +268,13 @@ def identifier(name: str) -> str:
 
 def _model(description: Description) -> Model:
     geometry, kinds = description.geometry, description.kinds
-    placements: tuple[Transform, ...] = ()
-    tool = Transform()
-    names: tuple[str, ...] = ()
-    values: tuple[float, ...] = ()
-    family: Literal["serial", "planar", "orthogonal_3r"]
     if isinstance(geometry, Planar):
-        family, name = "planar", f"planar_{kinds.lower()}"
-        turning = [i for i, kind in enumerate(kinds) if kind == "P"]
-        names = (*(f"l{i + 1}" for i in range(len(kinds))), *(f"heading{i + 1}" for i in turning))
-        values = (*geometry.lengths, *(geometry.headings[i] for i in turning))
-    elif isinstance(geometry, Orthogonal3R):
-        family, name = "orthogonal_3r", "orthogonal_3r"
-        names = ("d2", "d3", "d4", "r2")
+        return planar_model(kinds, geometry.lengths, geometry.headings)
+    if isinstance(geometry, Orthogonal3R):
         values = (geometry.d2, geometry.d3, geometry.d4, geometry.r2)
-    else:
-        family, name = "serial", identifier(description.name)
-        placements, tool = geometry.placements, geometry.tool
-    content = [family, kinds, names, [[t.rotation, t.translation] for t in (*placements, tool)]]
-    digest = hashlib.sha256(json.dumps(content, separators=(",", ":")).encode()).hexdigest()
-    return Model(family, name, kinds, names, values, placements, tool, digest)
+        return Model("orthogonal_3r", "orthogonal_3r", kinds, ("d2", "d3", "d4", "r2"), values)
+    name = identifier(description.name)
+    return Model("serial", name, kinds, placements=geometry.placements, tool=geometry.tool)
 
 
 def _check_geometry(geometry: Geometry, kinds: str, where: str) -> None:

@@ -70,7 +70,7 @@ def checked_task(arm: Arm, task: str | None) -> str:
     Raises:
         InputError: a task the arm has no maximal minors for.
     """
-    known = arm.groups[1:]
+    known = arm.full_rank_tasks
     if task is None:
         task = arm.default_task if arm.default_task in known or not known else known[-1]
     if task not in known:

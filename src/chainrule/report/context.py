@@ -34,7 +34,7 @@ class Context:
     @cached_property
     def task(self) -> str | None:
         """The task the report speaks of: the arm's own, or the largest with no more rows than joints; None without."""
-        known = self.arm.groups[1:]
+        known = self.arm.full_rank_tasks
         if not known:
             return None
         return self.arm.default_task if self.arm.default_task in known else known[-1]

@@ -60,4 +60,4 @@ def _build(arm: Arm, context: Context) -> Part:
     )
 
 
-SECTION = Section("map", "Manipulability map", lambda arm: len(arm.groups) > 1 and arm.n >= 2, _build)
+SECTION = Section("map", "Manipulability map", lambda arm: bool(arm.full_rank_tasks) and arm.n >= 2, _build)

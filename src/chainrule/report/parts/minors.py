@@ -132,4 +132,4 @@ def _build(arm: Arm, context: Context) -> Part:
     return Part(tuple(blocks), data | {"unit": size.text})
 
 
-SECTION = Section("minors", "Minors and manipulability", lambda arm: len(arm.groups) > 1, _build)
+SECTION = Section("minors", "Minors and manipulability", lambda arm: bool(arm.full_rank_tasks), _build)

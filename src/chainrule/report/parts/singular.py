@@ -169,4 +169,4 @@ def _build(arm: Arm, context: Context) -> Part:
     return Part(tuple(blocks), data)
 
 
-SECTION = Section("singular", "Singular configurations", lambda arm: len(arm.groups) > 1, _build)
+SECTION = Section("singular", "Singular configurations", lambda arm: bool(arm.full_rank_tasks), _build)

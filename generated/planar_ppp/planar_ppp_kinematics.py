@@ -1,0 +1,398 @@
+"""kinematics of planar_ppp, in NumPy.
+
+Made from templates/kernel.py.j2; inputs 380d340aaadd7b4e8b3b7188d805e64bbf777fffdfed47a834fc04ca28d16e94.
+209 operations. Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def position(q, parameters):
+    """position of the tip, in the base frame: 31 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  position[2]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = l1 + q1
+    t2 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t3 = l2 + q2
+    t4 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t5 = l3 + q3
+    t6 = cos_heading1 * t1 + t2 * t3 + (t2 * cos_heading3 - t4 * sin_heading3) * t5
+    t7 = t1 * sin_heading1 + t3 * t4 + t5 * (cos_heading3 * t4 + t2 * sin_heading3)
+
+    # results
+    position = np.empty((*leading, 2), real)
+    position[..., 0] = t6
+    position[..., 1] = t7
+    return position.reshape(leading + (2,))
+
+
+def pose(q, parameters):
+    """pose of the tip, in the base frame: 32 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  pose[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    sin_heading3 = np.sin(heading3)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t3 = cos_heading3 * t1 - t2 * sin_heading3
+    t4 = cos_heading3 * t2 + t1 * sin_heading3
+    t5 = l1 + q1
+    t6 = l2 + q2
+    t7 = l3 + q3
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * t7
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * t7
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    return pose.reshape(leading + (3, 3))
+
+
+def jacobian_position(q, parameters):
+    """Jacobian of the position task, in the base frame: 18 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = t1 * cos_heading3 - t2 * sin_heading3
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t2
+    jacobian[..., 5] = cos_heading3 * t2 + t1 * sin_heading3
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_x_alpha(q, parameters):
+    """Jacobian of the x_alpha task, in the base frame: 15 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = t1 * cos_heading3 - (cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1) * sin_heading3
+    jacobian[..., 3] = 0.0
+    jacobian[..., 4] = 0.0
+    jacobian[..., 5] = 0.0
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_pose(q, parameters):
+    """Jacobian of the pose task, in the base frame: 18 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+
+    # results
+    jacobian = np.empty((*leading, 9), real)
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = t1 * cos_heading3 - t2 * sin_heading3
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t2
+    jacobian[..., 5] = cos_heading3 * t2 + t1 * sin_heading3
+    jacobian[..., 6] = 0.0
+    jacobian[..., 7] = 0.0
+    jacobian[..., 8] = 0.0
+    return jacobian.reshape(leading + (3, 3))
+
+
+def kinematics_position(q, parameters):
+    """position and the Jacobian of the position task: 31 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  position[2]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = l1 + q1
+    t2 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t3 = l2 + q2
+    t4 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t5 = t2 * cos_heading3 - t4 * sin_heading3
+    t6 = l3 + q3
+    t7 = cos_heading3 * t4 + t2 * sin_heading3
+
+    # results
+    position = np.empty((*leading, 2), real)
+    jacobian = np.empty((*leading, 6), real)
+    position[..., 0] = cos_heading1 * t1 + t2 * t3 + t5 * t6
+    position[..., 1] = t1 * sin_heading1 + t3 * t4 + t6 * t7
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t2
+    jacobian[..., 2] = t5
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t4
+    jacobian[..., 5] = t7
+    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_x_alpha(q, parameters):
+    """pose and the Jacobian of the x_alpha task: 32 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  pose[3][3]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    sin_heading3 = np.sin(heading3)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t3 = cos_heading3 * t1 - t2 * sin_heading3
+    t4 = cos_heading3 * t2 + t1 * sin_heading3
+    t5 = l1 + q1
+    t6 = l2 + q2
+    t7 = l3 + q3
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 6), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * t7
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * t7
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = t3
+    jacobian[..., 3] = 0.0
+    jacobian[..., 4] = 0.0
+    jacobian[..., 5] = 0.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_pose(q, parameters):
+    """pose and the Jacobian of the pose task: 32 operations.
+
+    in   q[3]
+    in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
+    out  pose[3][3]
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    sin_heading3 = np.sin(heading3)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t3 = cos_heading3 * t1 - t2 * sin_heading3
+    t4 = cos_heading3 * t2 + t1 * sin_heading3
+    t5 = l1 + q1
+    t6 = l2 + q2
+    t7 = l3 + q3
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * t7
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * t7
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = t3
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t2
+    jacobian[..., 5] = t4
+    jacobian[..., 6] = 0.0
+    jacobian[..., 7] = 0.0
+    jacobian[..., 8] = 0.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))

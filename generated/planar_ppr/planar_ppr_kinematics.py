@@ -1,0 +1,395 @@
+"""kinematics of planar_ppr, in NumPy.
+
+Made from templates/kernel.py.j2; inputs fe6ed813a3ced0d45c3f1ea9bb5289f8274cddb2fcc3abf3b72391962c06a3b7.
+215 operations. Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def position(q, parameters):
+    """position of the tip, in the base frame: 30 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  position[2]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = l1 + q1
+    t2 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t3 = l2 + q2
+    t4 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t5 = cos_heading1 * t1 + t2 * t3 + (t2 * c3 - t4 * s3) * l3
+    t6 = t1 * sin_heading1 + t3 * t4 + l3 * (c3 * t4 + t2 * s3)
+
+    # results
+    position = np.empty((*leading, 2), real)
+    position[..., 0] = t5
+    position[..., 1] = t6
+    return position.reshape(leading + (2,))
+
+
+def pose(q, parameters):
+    """pose of the tip, in the base frame: 31 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  pose[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    s3 = np.sin(q3)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t3 = c3 * t1 - t2 * s3
+    t4 = c3 * t2 + t1 * s3
+    t5 = l1 + q1
+    t6 = l2 + q2
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * l3
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * l3
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    return pose.reshape(leading + (3, 3))
+
+
+def jacobian_position(q, parameters):
+    """Jacobian of the position task, in the base frame: 21 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = -((c3 * t2 + t1 * s3) * l3)
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t2
+    jacobian[..., 5] = l3 * (t1 * c3 - t2 * s3)
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_x_alpha(q, parameters):
+    """Jacobian of the x_alpha task, in the base frame: 17 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = (c3 * (cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1) + t1 * s3) * l3
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = -t2
+    jacobian[..., 3] = 0.0
+    jacobian[..., 4] = 0.0
+    jacobian[..., 5] = 1.0
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_pose(q, parameters):
+    """Jacobian of the pose task, in the base frame: 21 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+
+    # results
+    jacobian = np.empty((*leading, 9), real)
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = -((c3 * t2 + t1 * s3) * l3)
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t2
+    jacobian[..., 5] = l3 * (t1 * c3 - t2 * s3)
+    jacobian[..., 6] = 0.0
+    jacobian[..., 7] = 0.0
+    jacobian[..., 8] = 1.0
+    return jacobian.reshape(leading + (3, 3))
+
+
+def kinematics_position(q, parameters):
+    """position and the Jacobian of the position task: 31 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  position[2]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = l1 + q1
+    t2 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t3 = l2 + q2
+    t4 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t5 = (t2 * c3 - t4 * s3) * l3
+    t6 = l3 * (c3 * t4 + t2 * s3)
+
+    # results
+    position = np.empty((*leading, 2), real)
+    jacobian = np.empty((*leading, 6), real)
+    position[..., 0] = cos_heading1 * t1 + t2 * t3 + t5
+    position[..., 1] = t1 * sin_heading1 + t3 * t4 + t6
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t2
+    jacobian[..., 2] = -t6
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t4
+    jacobian[..., 5] = t5
+    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_x_alpha(q, parameters):
+    """pose and the Jacobian of the x_alpha task: 32 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  pose[3][3]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    s3 = np.sin(q3)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t3 = c3 * t1 - t2 * s3
+    t4 = c3 * t2 + t1 * s3
+    t5 = l1 + q1
+    t6 = l2 + q2
+    t7 = t4 * l3
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 6), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * l3
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t7
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = -t7
+    jacobian[..., 3] = 0.0
+    jacobian[..., 4] = 0.0
+    jacobian[..., 5] = 1.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_pose(q, parameters):
+    """pose and the Jacobian of the pose task: 32 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading2)
+    out  pose[3][3]
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading2 = np.sin(heading2)
+    s3 = np.sin(q3)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+
+    # terms
+    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t3 = c3 * t1 - t2 * s3
+    t4 = c3 * t2 + t1 * s3
+    t5 = l1 + q1
+    t6 = l2 + q2
+    t7 = t3 * l3
+    t8 = t4 * l3
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t7
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t8
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = cos_heading1
+    jacobian[..., 1] = t1
+    jacobian[..., 2] = -t8
+    jacobian[..., 3] = sin_heading1
+    jacobian[..., 4] = t2
+    jacobian[..., 5] = t7
+    jacobian[..., 6] = 0.0
+    jacobian[..., 7] = 0.0
+    jacobian[..., 8] = 1.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))

@@ -1,0 +1,138 @@
+"""motion of planar_prp, in NumPy.
+
+Made from templates/kernel.py.j2; inputs 582cb136249345553a91b51caf18da183d78857941524946dc58d2ef14e0dbe3.
+265 operations. Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def tip_motion(q, parameters, rates, second, third):
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 265 operations.
+
+    in   q[3]
+    in   parameters[5] = (l1, l2, l3, heading1, heading3)
+    in   rates[3] = (dq1, dq2, dq3)
+    in   second[3] = (ddq1, ddq2, ddq3)
+    in   third[3] = (dddq1, dddq2, dddq3)
+    out  derivatives[5][2]
+    out  path[4]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    rates = np.asarray(rates)
+    second = np.asarray(second)
+    third = np.asarray(third)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    real = np.result_type(q, parameters, rates, second, third, np.float32)
+
+    # inputs, sines and cosines
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    sin_heading1 = np.sin(heading1)
+    s2 = np.sin(q2)
+    l2 = parameters[..., 1]
+    heading3 = parameters[..., 4]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+    dq1 = rates[..., 0]
+    dq2 = rates[..., 1]
+    dq3 = rates[..., 2]
+    ddq1 = second[..., 0]
+    ddq2 = second[..., 1]
+    ddq3 = second[..., 2]
+    dddq1 = third[..., 0]
+    dddq2 = third[..., 1]
+    dddq3 = third[..., 2]
+
+    # terms
+    t1 = l1 + q1
+    t2 = cos_heading1 * c2 - sin_heading1 * s2
+    t3 = cos_heading1 * s2 + c2 * sin_heading1
+    t4 = t2 * cos_heading3 - t3 * sin_heading3
+    t5 = l3 + q3
+    t6 = cos_heading3 * t3 + t2 * sin_heading3
+    t7 = l2 * dq2
+    t8 = t5 * dq2
+    t9 = cos_heading1 * dq1 - t3 * t7 + t4 * dq3 - t6 * t8
+    t10 = sin_heading1 * dq1 + t2 * t7 + t4 * t8 + t6 * dq3
+    t11 = dq2 * dq2
+    t12 = l2 * t11
+    t13 = l2 * ddq2
+    t14 = ddq3 - t5 * t11
+    t15 = cos_heading1 * ddq1 - t2 * t12 - t3 * t13 + t4 * t14
+    t16 = t5 * ddq2 + dq3 * (dq2 + dq2)
+    t17 = t15 - t6 * t16
+    t18 = sin_heading1 * ddq1 + t2 * t13 - t3 * t12 + t4 * t16
+    t19 = t18 + t6 * t14
+    t20 = l2 * (dq2 * (-3.0 * ddq2))
+    t21 = dq2 * t11
+    t22 = l2 * dddq2 - l2 * t21
+    t23 = 3.0 * t5
+    t24 = dddq3 - t11 * (3.0 * dq3) - dq2 * (ddq2 * t23)
+    t25 = cos_heading1 * dddq1 + t2 * t20 - t3 * t22 + t4 * t24
+    t26 = t5 * dddq2 + dq3 * (3.0 * ddq2) + dq2 * (3.0 * ddq3)
+    t27 = t26 - t5 * t21
+    t28 = t25 - t6 * t27
+    t29 = sin_heading1 * dddq1 + t2 * t22 + t3 * t20 + t4 * t27
+    t30 = t29 + t6 * t24
+    t31 = dq2 * t21
+    t32 = ddq2 * ddq2
+    t33 = 4.0 * dddq2
+    t34 = l2 * t31 - 3.0 * l2 * t32 - l2 * (dq2 * t33)
+    t35 = t11 * (l2 * (-6.0 * ddq2))
+    t36 = t5 * t31 - t11 * (6.0 * ddq3) - t23 * t32 - dq3 * (dq2 * (12.0 * ddq2))
+    t37 = t36 - dq2 * (dddq2 * (4.0 * t5))
+    t38 = dq3 * t33 + dq2 * (4.0 * dddq3) + ddq3 * (6.0 * ddq2)
+    t39 = t38 - t21 * (4.0 * dq3) - t11 * (ddq2 * (6.0 * t5))
+    t40 = t2 * t34 - t3 * t35 + t4 * t37 - t6 * t39
+    t41 = t2 * t35 + t3 * t34 + t4 * t39 + t6 * t37
+    t42 = np.sqrt((t9 * t9 + t10 * t10))
+    t43 = t9 * t19 - t10 * t17
+    t44 = 1.0 / t42
+    t45 = t44 * t44
+    t46 = t9 * t30 - t10 * t28
+    t47 = t45 * t45
+    t48 = 1.5 * t43
+    t49 = t9 + t9
+    t50 = t10 + t10
+    t51 = t17 * t49 + t19 * t50
+    t52 = t45 * t47
+    t53 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t48 * t51 * t52, 0.0), 0.0), 0.0), 0.0), 0.0)
+    t54 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t46 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t42 != 0.0, t53, 0.0)
+    t55 = t9 * t41 + t17 * t30 - t10 * t40 - t19 * t28
+    t56 = np.where(t42 != 0.0, 4.5 * t43 / t42 * (t51 * t51) * (t45 * t52), 0.0)
+    t57 = np.where(t42 != 0.0, t47 * (t55 / t42) + np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t56, 0.0), 0.0), 0.0), 0.0)
+    t58 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t52 * (t51 * (3.5 * t46) / t42), 0.0), 0.0), 0.0)
+    t59 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t57, 0.0), 0.0), 0.0), 0.0) - np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t58, 0.0), 0.0), 0.0), 0.0)
+    t60 = t17 * t17
+    t61 = t19 * t19
+    t62 = t60 + t60 + (t61 + t61) + t28 * t49 + t30 * t50
+    t63 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t52 * (t48 * t62 / t42), 0.0), 0.0), 0.0), 0.0)
+
+    # results
+    derivatives = np.empty((*leading, 10), real)
+    path = np.empty((*leading, 4), real)
+    derivatives[..., 0] = cos_heading1 * t1 + t2 * l2 + t4 * t5
+    derivatives[..., 1] = t1 * sin_heading1 + l2 * t3 + t5 * t6
+    derivatives[..., 2] = t9
+    derivatives[..., 3] = t10
+    derivatives[..., 4] = t17
+    derivatives[..., 5] = t19
+    derivatives[..., 6] = t28
+    derivatives[..., 7] = t30
+    derivatives[..., 8] = t40
+    derivatives[..., 9] = t41
+    path[..., 0] = t42
+    path[..., 1] = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t43 / t42 * t45, 0.0), 0.0), 0.0)
+    path[..., 2] = t54
+    path[..., 3] = t59 - np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t63, 0.0), 0.0), 0.0)
+    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))

@@ -1,0 +1,417 @@
+"""kinematics of planar_rrp, in NumPy.
+
+Made from templates/kernel.py.j2; inputs f172aea0b8a1ede5a96467f404addb2fb62a1ed52b2e0fdb0e5553f2cc72e42d.
+252 operations. Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def position(q, parameters):
+    """position of the tip, in the base frame: 29 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  position[2]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    l1 = parameters[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    l2 = parameters[..., 1]
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = l3 + q3
+    t4 = c1 * l1 + t1 * l2 + (t1 * cos_heading3 - t2 * sin_heading3) * t3
+    t5 = l1 * s1 + l2 * t2 + t3 * (cos_heading3 * t2 + t1 * sin_heading3)
+
+    # results
+    position = np.empty((*leading, 2), real)
+    position[..., 0] = t4
+    position[..., 1] = t5
+    return position.reshape(leading + (2,))
+
+
+def pose(q, parameters):
+    """pose of the tip, in the base frame: 30 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  pose[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    sin_heading3 = np.sin(heading3)
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = cos_heading3 * t1 - t2 * sin_heading3
+    t4 = cos_heading3 * t2 + t1 * sin_heading3
+    t5 = l3 + q3
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = c1 * l1 + t1 * l2 + t3 * t5
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = s1 * l1 + t2 * l2 + t4 * t5
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    return pose.reshape(leading + (3, 3))
+
+
+def jacobian_position(q, parameters):
+    """Jacobian of the position task, in the base frame: 33 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    s1 = np.sin(q1)
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    c2 = np.cos(q2)
+    l2 = parameters[..., 1]
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = l1 * s1
+    t2 = c1 * s2 + s1 * c2
+    t3 = c1 * c2 - s1 * s2
+    t4 = t2 * cos_heading3 + t3 * sin_heading3
+    t5 = l3 + q3
+    t6 = t1 + t2 * l2 + t4 * t5
+    t7 = cos_heading3 * t3 - t2 * sin_heading3
+    t8 = l1 * c1
+    t9 = t8 + l2 * t3 + t5 * t7
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = -t6
+    jacobian[..., 1] = -(t6 - t1)
+    jacobian[..., 2] = t7
+    jacobian[..., 3] = t9
+    jacobian[..., 4] = t9 - t8
+    jacobian[..., 5] = t4
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_x_alpha(q, parameters):
+    """Jacobian of the x_alpha task, in the base frame: 27 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    s1 = np.sin(q1)
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    c2 = np.cos(q2)
+    l2 = parameters[..., 1]
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = l1 * s1
+    t2 = c1 * s2 + s1 * c2
+    t3 = c1 * c2 - s1 * s2
+    t4 = t1 + t2 * l2 + (t2 * cos_heading3 + t3 * sin_heading3) * (l3 + q3)
+
+    # results
+    jacobian = np.empty((*leading, 6), real)
+    jacobian[..., 0] = -t4
+    jacobian[..., 1] = -(t4 - t1)
+    jacobian[..., 2] = cos_heading3 * t3 - t2 * sin_heading3
+    jacobian[..., 3] = 1.0
+    jacobian[..., 4] = 1.0
+    jacobian[..., 5] = 0.0
+    return jacobian.reshape(leading + (2, 3))
+
+
+def jacobian_pose(q, parameters):
+    """Jacobian of the pose task, in the base frame: 33 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    s1 = np.sin(q1)
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    s2 = np.sin(q2)
+    c2 = np.cos(q2)
+    l2 = parameters[..., 1]
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = l1 * s1
+    t2 = c1 * s2 + s1 * c2
+    t3 = c1 * c2 - s1 * s2
+    t4 = t2 * cos_heading3 + t3 * sin_heading3
+    t5 = l3 + q3
+    t6 = t1 + t2 * l2 + t4 * t5
+    t7 = cos_heading3 * t3 - t2 * sin_heading3
+    t8 = l1 * c1
+    t9 = t8 + l2 * t3 + t5 * t7
+
+    # results
+    jacobian = np.empty((*leading, 9), real)
+    jacobian[..., 0] = -t6
+    jacobian[..., 1] = -(t6 - t1)
+    jacobian[..., 2] = t7
+    jacobian[..., 3] = t9
+    jacobian[..., 4] = t9 - t8
+    jacobian[..., 5] = t4
+    jacobian[..., 6] = 1.0
+    jacobian[..., 7] = 1.0
+    jacobian[..., 8] = 0.0
+    return jacobian.reshape(leading + (3, 3))
+
+
+def kinematics_position(q, parameters):
+    """position and the Jacobian of the position task: 33 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  position[2]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    l1 = parameters[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    l2 = parameters[..., 1]
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = c1 * l1
+    t2 = c1 * c2 - s1 * s2
+    t3 = c1 * s2 + c2 * s1
+    t4 = t2 * cos_heading3 - t3 * sin_heading3
+    t5 = l3 + q3
+    t6 = t1 + t2 * l2 + t4 * t5
+    t7 = l1 * s1
+    t8 = cos_heading3 * t3 + t2 * sin_heading3
+    t9 = t7 + l2 * t3 + t5 * t8
+
+    # results
+    position = np.empty((*leading, 2), real)
+    jacobian = np.empty((*leading, 6), real)
+    position[..., 0] = t6
+    position[..., 1] = t9
+    jacobian[..., 0] = -t9
+    jacobian[..., 1] = -(t9 - t7)
+    jacobian[..., 2] = t4
+    jacobian[..., 3] = t6
+    jacobian[..., 4] = t6 - t1
+    jacobian[..., 5] = t8
+    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_x_alpha(q, parameters):
+    """pose and the Jacobian of the x_alpha task: 33 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  pose[3][3]
+    out  jacobian[2][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    sin_heading3 = np.sin(heading3)
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = cos_heading3 * t1 - t2 * sin_heading3
+    t4 = cos_heading3 * t2 + t1 * sin_heading3
+    t5 = l3 + q3
+    t6 = s1 * l1
+    t7 = t6 + t2 * l2 + t4 * t5
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 6), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = c1 * l1 + t1 * l2 + t3 * t5
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = t7
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = -t7
+    jacobian[..., 1] = -(t7 - t6)
+    jacobian[..., 2] = t3
+    jacobian[..., 3] = 1.0
+    jacobian[..., 4] = 1.0
+    jacobian[..., 5] = 0.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+
+
+def kinematics_pose(q, parameters):
+    """pose and the Jacobian of the pose task: 34 operations.
+
+    in   q[3]
+    in   parameters[4] = (l1, l2, l3, heading3)
+    out  pose[3][3]
+    out  jacobian[3][3]
+    """
+    q = np.asarray(q)
+    parameters = np.asarray(parameters)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    real = np.result_type(q, parameters, np.float32)
+
+    # inputs, sines and cosines
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
+    sin_heading3 = np.sin(heading3)
+    l1 = parameters[..., 0]
+    l2 = parameters[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+
+    # terms
+    t1 = c1 * c2 - s1 * s2
+    t2 = c1 * s2 + c2 * s1
+    t3 = cos_heading3 * t1 - t2 * sin_heading3
+    t4 = cos_heading3 * t2 + t1 * sin_heading3
+    t5 = c1 * l1
+    t6 = l3 + q3
+    t7 = t5 + t1 * l2 + t3 * t6
+    t8 = s1 * l1
+    t9 = t8 + t2 * l2 + t4 * t6
+
+    # results
+    pose = np.empty((*leading, 9), real)
+    jacobian = np.empty((*leading, 9), real)
+    pose[..., 0] = t3
+    pose[..., 1] = -t4
+    pose[..., 2] = t7
+    pose[..., 3] = t4
+    pose[..., 4] = t3
+    pose[..., 5] = t9
+    pose[..., 6] = 0.0
+    pose[..., 7] = 0.0
+    pose[..., 8] = 1.0
+    jacobian[..., 0] = -t9
+    jacobian[..., 1] = -(t9 - t8)
+    jacobian[..., 2] = t3
+    jacobian[..., 3] = t7
+    jacobian[..., 4] = t7 - t5
+    jacobian[..., 5] = t4
+    jacobian[..., 6] = 1.0
+    jacobian[..., 7] = 1.0
+    jacobian[..., 8] = 0.0
+    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))

@@ -1,0 +1,267 @@
+/* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
+ * Made from templates/kernel.c.j2; inputs d547eb0eab673bb17063998f94b24c332a85a1110f2f7694d7941375899f9d24.
+ * 787 operations. Do not edit: change the derivation and regenerate.
+ *
+ * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
+#include "planar_rrp_speed_ratio.h"
+
+#include "../chainrule_batch.h"
+#include "../chainrule_sincos.h"
+
+#ifndef CHAINRULE_FLOAT
+const char planar_rrp_speed_ratio_digest[] = "d547eb0eab673bb17063998f94b24c332a85a1110f2f7694d7941375899f9d24";
+#endif
+
+#define LANES 64
+#define TERMS(name) name##_tile
+#include "planar_rrp_speed_ratio.inc"
+#undef TERMS
+#undef LANES
+
+#define LANES 1
+#define TERMS(name) name##_one
+#include "planar_rrp_speed_ratio.inc"
+#undef TERMS
+#undef LANES
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_terms_1)(const real *q, const real *parameters, const real *tangent, const real *curvature, real *A, real *B, real *B0, real *B1, real *a, real *b, real *C, real *D, real *discriminant)
+{
+    planar_rrp_speed_ratio_terms_1_one(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+}
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_terms_1_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real tangent[2 * 64];
+    real curvature[2 * 64];
+    real A[3 * 64];
+    real B[6 * 64];
+    real B0[6 * 64];
+    real B1[6 * 64];
+    real a[3 * 64];
+    real b[3 * 64];
+    real C[1 * 64];
+    real D[1 * 64];
+    real discriminant[1 * 64];
+    const int streaming = chainrule_streams(count, 30);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[13], steps[13]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[14], steps[14]);
+            chainrule_gather(tangent, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
+            chainrule_gather(curvature, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            planar_rrp_speed_ratio_terms_1_one(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+            chainrule_scatter(A, 1, 1, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], 0);
+            chainrule_scatter(B, 1, 1, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], 0);
+            chainrule_scatter(B0, 1, 1, args[6] + start * steps[6], steps[6], 1, 6, 6 * steps[19], steps[19], 0);
+            chainrule_scatter(B1, 1, 1, args[7] + start * steps[7], steps[7], 1, 6, 6 * steps[20], steps[20], 0);
+            chainrule_scatter(a, 1, 1, args[8] + start * steps[8], steps[8], 1, 3, 3 * steps[21], steps[21], 0);
+            chainrule_scatter(b, 1, 1, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[22], steps[22], 0);
+            chainrule_scatter(C, 1, 1, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(D, 1, 1, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(discriminant, 1, 1, args[12] + start * steps[12], steps[12], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[13], steps[13]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[14], steps[14]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
+            if (start == 0 || steps[3] != 0) /* the same for all: once */
+                chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            planar_rrp_speed_ratio_terms_1_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+            chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
+            chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
+            chainrule_scatter(B0, 64, taken, args[6] + start * steps[6], steps[6], 1, 6, 6 * steps[19], steps[19], streaming);
+            chainrule_scatter(B1, 64, taken, args[7] + start * steps[7], steps[7], 1, 6, 6 * steps[20], steps[20], streaming);
+            chainrule_scatter(a, 64, taken, args[8] + start * steps[8], steps[8], 1, 3, 3 * steps[21], steps[21], streaming);
+            chainrule_scatter(b, 64, taken, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[22], steps[22], streaming);
+            chainrule_scatter(C, 64, taken, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(D, 64, taken, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(discriminant, 64, taken, args[12] + start * steps[12], steps[12], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_terms_2)(const real *q, const real *parameters, const real *tangent, const real *curvature, real *A, real *B, real *B0, real *B1, real *a, real *b, real *C, real *D, real *discriminant)
+{
+    planar_rrp_speed_ratio_terms_2_one(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+}
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_terms_2_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real tangent[2 * 64];
+    real curvature[2 * 64];
+    real A[3 * 64];
+    real B[6 * 64];
+    real B0[6 * 64];
+    real B1[6 * 64];
+    real a[3 * 64];
+    real b[3 * 64];
+    real C[1 * 64];
+    real D[1 * 64];
+    real discriminant[1 * 64];
+    const int streaming = chainrule_streams(count, 30);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[13], steps[13]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[14], steps[14]);
+            chainrule_gather(tangent, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
+            chainrule_gather(curvature, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            planar_rrp_speed_ratio_terms_2_one(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+            chainrule_scatter(A, 1, 1, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], 0);
+            chainrule_scatter(B, 1, 1, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], 0);
+            chainrule_scatter(B0, 1, 1, args[6] + start * steps[6], steps[6], 1, 6, 6 * steps[19], steps[19], 0);
+            chainrule_scatter(B1, 1, 1, args[7] + start * steps[7], steps[7], 1, 6, 6 * steps[20], steps[20], 0);
+            chainrule_scatter(a, 1, 1, args[8] + start * steps[8], steps[8], 1, 3, 3 * steps[21], steps[21], 0);
+            chainrule_scatter(b, 1, 1, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[22], steps[22], 0);
+            chainrule_scatter(C, 1, 1, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(D, 1, 1, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(discriminant, 1, 1, args[12] + start * steps[12], steps[12], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[13], steps[13]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[14], steps[14]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
+            if (start == 0 || steps[3] != 0) /* the same for all: once */
+                chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            planar_rrp_speed_ratio_terms_2_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+            chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
+            chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
+            chainrule_scatter(B0, 64, taken, args[6] + start * steps[6], steps[6], 1, 6, 6 * steps[19], steps[19], streaming);
+            chainrule_scatter(B1, 64, taken, args[7] + start * steps[7], steps[7], 1, 6, 6 * steps[20], steps[20], streaming);
+            chainrule_scatter(a, 64, taken, args[8] + start * steps[8], steps[8], 1, 3, 3 * steps[21], steps[21], streaming);
+            chainrule_scatter(b, 64, taken, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[22], steps[22], streaming);
+            chainrule_scatter(C, 64, taken, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(D, 64, taken, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(discriminant, 64, taken, args[12] + start * steps[12], steps[12], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_terms_3)(const real *q, const real *parameters, const real *tangent, const real *curvature, real *A, real *B, real *B0, real *B1, real *a, real *b, real *C, real *D, real *discriminant)
+{
+    planar_rrp_speed_ratio_terms_3_one(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+}
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_terms_3_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real tangent[2 * 64];
+    real curvature[2 * 64];
+    real A[3 * 64];
+    real B[6 * 64];
+    real B0[6 * 64];
+    real B1[6 * 64];
+    real a[3 * 64];
+    real b[3 * 64];
+    real C[1 * 64];
+    real D[1 * 64];
+    real discriminant[1 * 64];
+    const int streaming = chainrule_streams(count, 30);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[13], steps[13]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[14], steps[14]);
+            chainrule_gather(tangent, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
+            chainrule_gather(curvature, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            planar_rrp_speed_ratio_terms_3_one(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+            chainrule_scatter(A, 1, 1, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], 0);
+            chainrule_scatter(B, 1, 1, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], 0);
+            chainrule_scatter(B0, 1, 1, args[6] + start * steps[6], steps[6], 1, 6, 6 * steps[19], steps[19], 0);
+            chainrule_scatter(B1, 1, 1, args[7] + start * steps[7], steps[7], 1, 6, 6 * steps[20], steps[20], 0);
+            chainrule_scatter(a, 1, 1, args[8] + start * steps[8], steps[8], 1, 3, 3 * steps[21], steps[21], 0);
+            chainrule_scatter(b, 1, 1, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[22], steps[22], 0);
+            chainrule_scatter(C, 1, 1, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(D, 1, 1, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(discriminant, 1, 1, args[12] + start * steps[12], steps[12], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[13], steps[13]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[14], steps[14]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
+            if (start == 0 || steps[3] != 0) /* the same for all: once */
+                chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            planar_rrp_speed_ratio_terms_3_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
+            chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
+            chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
+            chainrule_scatter(B0, 64, taken, args[6] + start * steps[6], steps[6], 1, 6, 6 * steps[19], steps[19], streaming);
+            chainrule_scatter(B1, 64, taken, args[7] + start * steps[7], steps[7], 1, 6, 6 * steps[20], steps[20], streaming);
+            chainrule_scatter(a, 64, taken, args[8] + start * steps[8], steps[8], 1, 3, 3 * steps[21], steps[21], streaming);
+            chainrule_scatter(b, 64, taken, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[22], steps[22], streaming);
+            chainrule_scatter(C, 64, taken, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(D, 64, taken, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(discriminant, 64, taken, args[12] + start * steps[12], steps[12], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_rates)(const real *q, const real *parameters, const real *tangent, const real *curvature, real *rates, real *tracked, real *tracked_rate, real *parabola, real *discriminant, real *least, real *null)
+{
+    planar_rrp_speed_ratio_rates_one(q, parameters, tangent, curvature, rates, tracked, tracked_rate, parabola, discriminant, least, null);
+}
+
+void CHAINRULE_NAME(planar_rrp_speed_ratio_rates_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real q[3 * 64];
+    real parameters[4 * 64];
+    real tangent[2 * 64];
+    real curvature[2 * 64];
+    real rates[6 * 64];
+    real tracked[2 * 64];
+    real tracked_rate[2 * 64];
+    real parabola[3 * 64];
+    real discriminant[1 * 64];
+    real least[3 * 64];
+    real null[3 * 64];
+    const int streaming = chainrule_streams(count, 20);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[11], steps[11]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[12], steps[12]);
+            chainrule_gather(tangent, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[13], steps[13]);
+            chainrule_gather(curvature, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[14], steps[14]);
+            planar_rrp_speed_ratio_rates_one(q, parameters, tangent, curvature, rates, tracked, tracked_rate, parabola, discriminant, least, null);
+            chainrule_scatter(rates, 1, 1, args[4] + start * steps[4], steps[4], 2, 3, steps[15], steps[16], 0);
+            chainrule_scatter(tracked, 1, 1, args[5] + start * steps[5], steps[5], 1, 2, 2 * steps[17], steps[17], 0);
+            chainrule_scatter(tracked_rate, 1, 1, args[6] + start * steps[6], steps[6], 1, 2, 2 * steps[18], steps[18], 0);
+            chainrule_scatter(parabola, 1, 1, args[7] + start * steps[7], steps[7], 1, 3, 3 * steps[19], steps[19], 0);
+            chainrule_scatter(discriminant, 1, 1, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(least, 1, 1, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[20], steps[20], 0);
+            chainrule_scatter(null, 1, 1, args[10] + start * steps[10], steps[10], 1, 3, 3 * steps[21], steps[21], 0);
+        } else {
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[11], steps[11]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[12], steps[12]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[13], steps[13]);
+            if (start == 0 || steps[3] != 0) /* the same for all: once */
+                chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[14], steps[14]);
+            planar_rrp_speed_ratio_rates_tile(q, parameters, tangent, curvature, rates, tracked, tracked_rate, parabola, discriminant, least, null);
+            chainrule_scatter(rates, 64, taken, args[4] + start * steps[4], steps[4], 2, 3, steps[15], steps[16], streaming);
+            chainrule_scatter(tracked, 64, taken, args[5] + start * steps[5], steps[5], 1, 2, 2 * steps[17], steps[17], streaming);
+            chainrule_scatter(tracked_rate, 64, taken, args[6] + start * steps[6], steps[6], 1, 2, 2 * steps[18], steps[18], streaming);
+            chainrule_scatter(parabola, 64, taken, args[7] + start * steps[7], steps[7], 1, 3, 3 * steps[19], steps[19], streaming);
+            chainrule_scatter(discriminant, 64, taken, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(least, 64, taken, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[20], steps[20], streaming);
+            chainrule_scatter(null, 64, taken, args[10] + start * steps[10], steps[10], 1, 3, 3 * steps[21], steps[21], streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}

@@ -1,0 +1,96 @@
+"""rest to rest of rest_to_rest, in NumPy.
+
+Made from templates/kernel.py.j2; inputs 4712449a4a76f22cda303519d99d3f8845651901c9a61a4304933822741357eb.
+51 operations. Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def rest_to_rest(move):
+    """peak speed, ramp, cruise and duration of the fastest move from rest to rest: 11 operations.
+
+    in   move[3] = (distance, velocity, acceleration)
+    out  profile[4]
+    """
+    move = np.asarray(move)
+    leading = np.broadcast_shapes(move.shape[:-1])
+    real = np.result_type(move, np.float32)
+
+    # inputs, sines and cosines
+    velocity = move[..., 1]
+    acceleration = move[..., 2]
+    distance = move[..., 0]
+
+    # terms
+    t1 = np.minimum(velocity, np.sqrt(acceleration) * np.sqrt(distance))
+    t2 = t1 / acceleration
+    t3 = np.maximum(0.0, np.where(t1 != 0.0, distance / t1, 0.0) - t2)
+
+    # results
+    profile = np.empty((*leading, 4), real)
+    profile[..., 0] = t1
+    profile[..., 1] = t2
+    profile[..., 2] = t3
+    profile[..., 3] = t3 + (t2 + t2)
+    return profile.reshape(leading + (4,))
+
+
+def rest_to_rest_in(move):
+    """peak speed, ramp and cruise of a move from rest to rest in a given time, with the acceleration given: 15 operations.
+
+    in   move[3] = (distance, acceleration, duration)
+    out  profile[4]
+    """
+    move = np.asarray(move)
+    leading = np.broadcast_shapes(move.shape[:-1])
+    real = np.result_type(move, np.float32)
+
+    # inputs, sines and cosines
+    duration = move[..., 2]
+    distance = move[..., 0]
+    acceleration = move[..., 1]
+
+    # terms
+    t1 = duration + np.sqrt(np.maximum(0.0, duration * duration - 4.0 * distance / acceleration))
+    t2 = (distance + distance) / t1
+    t3 = t2 / acceleration
+
+    # results
+    profile = np.empty((*leading, 4), real)
+    profile[..., 0] = np.where(t1 != 0.0, t2, 0.0)
+    profile[..., 1] = np.where(t1 != 0.0, t3, 0.0)
+    profile[..., 2] = duration - np.where(t1 != 0.0, t3 + t3, 0.0)
+    profile[..., 3] = duration
+    return profile.reshape(leading + (4,))
+
+
+def rest_to_rest_state(instant):
+    """distance and speed at a time of a move from rest to rest: 25 operations.
+
+    in   instant[4] = (peak, ramp, cruise, time)
+    out  state[2]
+    """
+    instant = np.asarray(instant)
+    leading = np.broadcast_shapes(instant.shape[:-1])
+    real = np.result_type(instant, np.float32)
+
+    # inputs, sines and cosines
+    ramp = instant[..., 1]
+    time = instant[..., 3]
+    cruise = instant[..., 2]
+    peak = instant[..., 0]
+
+    # terms
+    t1 = np.maximum(0.0, np.minimum(ramp, time - cruise - ramp))
+    t2 = peak / ramp
+    t3 = t1 * (peak - np.where(ramp != 0.0, 0.5 * t1 * t2, 0.0)) + peak * np.maximum(0.0, np.minimum(cruise, time - ramp))
+    t4 = np.maximum(0.0, np.minimum(ramp, time))
+
+    # results
+    state = np.empty((*leading, 2), real)
+    state[..., 0] = t3 + np.where(ramp != 0.0, 0.5 * t2 * (t4 * t4), 0.0)
+    state[..., 1] = np.where(ramp != 0.0, t2 * (t4 - t1), 0.0)
+    return state.reshape(leading + (2,))
