@@ -175,12 +175,12 @@ def groups(model: Model) -> tuple[str, ...]:
 def extras(model: Model) -> tuple[str, ...]:
     """Groups that only some models have.
 
-    Planar arms have ``motion`` (the tip's path along a joint motion) and, with 3 or 4 joints, ``speed_ratio``; what is
-    no arm has one group, of its own name.
+    Planar arms have ``motion`` (the tip's path along a joint motion) and, with 3 or 4 joints, ``speed_ratio``; what
+    belongs to no arm is the profile of a motion, ``rest_to_rest``.
     """
     if model.family == "planar":
         return ("motion", "speed_ratio") if len(model.kinds) in (3, 4) else ("motion",)
-    return (model.name,) if model.family == "motion" else ()
+    return ("rest_to_rest",) if model.family == "motion" else ()
 
 
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:

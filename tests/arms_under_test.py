@@ -11,6 +11,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache
 from itertools import combinations
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -23,9 +24,9 @@ from chainrule import compile as compiling
 from chainrule.derive import catalogue, emit
 from chainrule.derive.lower import Kernel, lower
 from chainrule.derive.manifest import Places
-from chainrule.derive.program import evaluate
-from chainrule.description import Description
-from chainrule.evaluators import Evaluator, load
+from chainrule.derive.program import Program, evaluate
+from chainrule.description import REST_TO_REST, Description, Model
+from chainrule.evaluators import Evaluator, Evaluators, load
 
 EPSILON = {np.dtype(np.float64): 2.0**-53, np.dtype(np.float32): 2.0**-24}  # half a unit in the last place of 1
 
@@ -40,7 +41,34 @@ FAMILY_CASES: dict[str, cr.Arm] = {
     "orthogonal_3r(1, 0, 0.3, 0.2)": cr.orthogonal_3r(1.0, 0.0, 0.3, 0.2),
     "orthogonal_3r(1, 2, 0, 1)": cr.orthogonal_3r(1.0, 2.0, 0.0, 1.0),
 }
-ARMS: dict[str, cr.Arm] = {name: cr.load(name) for name in embedded.names()} | FAMILY_CASES
+#: The other planar arms of three joints, whose functions are generated although no embedded arm is one.
+MORPHOLOGIES: dict[str, cr.Arm] = {
+    kinds: cr.planar(
+        kinds,
+        [0.9, 0.6, 0.35],
+        [{"R": 0.0, "P": turn}[kind] for kind, turn in zip(kinds, (0.4, 1.1, -0.8), strict=True)],
+    )
+    for kinds in ("RRP", "RPR", "PRR", "RPP", "PRP", "PPR", "PPP")
+}
+
+
+class NoArm:
+    """What the standing functions that belong to no arm look like to the tests: configurations only make inputs."""
+
+    n, kinds, parameters = 3, "RRR", np.array([])
+
+    def __init__(self, model: Model) -> None:
+        self.description = SimpleNamespace(model=model)
+        self._evaluators = Evaluators(model)
+
+    def evaluator(self, name: str) -> Evaluator:
+        found = self._evaluators.get("rest_to_rest", name)
+        assert found is not None
+        return found
+
+
+ARMS: dict[str, Any] = {name: cr.load(name) for name in embedded.names()} | FAMILY_CASES | MORPHOLOGIES
+ARMS["rest_to_rest"] = NoArm(REST_TO_REST)
 
 MANIFEST: dict[str, Any] = json.loads((Places.here().generated / "manifest.json").read_text("utf-8"))
 
@@ -75,8 +103,34 @@ def numpy_evaluators(model: str, group: str) -> dict[str, Evaluator]:
 
 
 def inputs_of(arm: cr.Arm, q: Sequence[Any]) -> dict[str, Sequence[Any]]:
-    """The inputs of an arm's functions at one configuration."""
+    """The inputs of an arm's functions of a configuration."""
     return {"q": q, "parameters": [float(p) for p in arm.parameters]}
+
+
+#: Inputs that are lengths and times.
+POSITIVE = ("move", "instant")
+
+
+def given(ports: Sequence[tuple[str, Sequence[int]]], arm: Any, q: np.ndarray) -> list[np.ndarray]:
+    """Every input of a function for configurations q (k, n), of q's type: what is neither q nor a parameter is made
+    of q, so that a configuration always brings the same."""
+    found = []
+    for name, shape in ports:
+        if name == "q":
+            found.append(q)
+        elif name == "parameters":
+            found.append(arm.parameters.astype(q.dtype))
+        else:
+            weights = np.random.default_rng(sum(map(ord, name))).uniform(1.0, 3.0, (q.shape[-1], math.prod(shape)))
+            with np.errstate(invalid="ignore"):
+                values = np.cos((q.astype(float)[..., None] * weights).sum(axis=-2))  # row by row alike, unlike @
+            found.append((np.abs(values) + 0.1 if name in POSITIVE else values).astype(q.dtype))
+    return found
+
+
+def ports_of(program: Program | Kernel) -> list[tuple[str, Sequence[int]]]:
+    """Names and shapes of a function's inputs."""
+    return [(port.name, port.shape) for port in program.inputs]
 
 
 def emitted(arm: cr.Arm, group: str) -> dict[str, Callable[..., Any]]:
@@ -104,8 +158,7 @@ def arguments(arm: cr.Arm, q: Any) -> list[Any]:
 
 def outputs_of(evaluator: Evaluator, arm: cr.Arm, q: Any) -> list[np.ndarray]:
     """Every output of an evaluator at the configurations q (k, n), each as (k, entries)."""
-    given = [q, arm.parameters.astype(q.dtype)] if arm.parameters.size else [q]
-    found = evaluator(*given)
+    found = evaluator(*given(evaluator.inputs, arm, q))
     found = found if isinstance(found, tuple) else (found,)
     return [
         np.asarray(entry).reshape(len(q), math.prod(shape))
@@ -121,7 +174,12 @@ def truth(arm: str, group: str, function: str, q: Sequence[float]) -> list[list[
     found = derived(arm, group)[function]
     if found.derivatives == "gradients":
         return gradients(ARMS[arm].description, group, q)
-    return list(evaluate(found.program, inputs_of(ARMS[arm], [float(x) for x in q]), 40).values())
+    if found.derivatives == "hessian":
+        return hessians(ARMS[arm].description, group, q)
+    ports = ports_of(found.program)
+    arrays = given(ports, ARMS[arm], np.asarray(q, float))
+    inputs = {name: [float(x) for x in array] for (name, _), array in zip(ports, arrays, strict=True)}
+    return list(evaluate(found.program, inputs, 40).values())
 
 
 ROWS = {
@@ -168,6 +226,31 @@ def gradients(
             gradient.append(mpmath.chop(rise / (2 * step), mpmath.mpf(10) ** -40))
         inverse, root = -1 / here**2, -1 / (2 * here * mpmath.sqrt(here))
         return [[here], gradient, [inverse * g for g in gradient], [root * g for g in gradient]]
+
+
+def hessians(description: Description, task: str, q: Sequence[float], digits: int = 100) -> list[list[Any]]:
+    """H^2, its gradient and its Hessian, by central differences of the reference's det(J J^T)."""
+    with mpmath.workdps(digits):
+        q = [mpmath.mpf(float(x)) for x in q]
+        step, n = mpmath.mpf(10) ** -30, range(len(q))
+
+        def square(*moves: tuple[int, int]) -> Any:
+            moved = [x + step * sum(sign for k, sign in moves if k == i) for i, x in enumerate(q)]
+            jacobian = task_jacobian(description, task, moved, digits)
+            return determinant((jacobian * jacobian.T).tolist())
+
+        here, ahead, behind = square(), [square((i, 1)) for i in n], [square((i, -1)) for i in n]
+        gradient = [(a - b) / (2 * step) for a, b in zip(ahead, behind, strict=True)]
+        hessian = [[mpmath.mpf(0)] * len(q) for _ in n]
+        for i in n:
+            hessian[i][i] = (ahead[i] - 2 * here + behind[i]) / step**2
+            for j in range(i):
+                corners = square((i, 1), (j, 1)) + square((i, -1), (j, -1))
+                corners -= square((i, 1), (j, -1)) + square((i, -1), (j, 1))
+                hessian[i][j] = hessian[j][i] = corners / (4 * step**2)
+        chop = mpmath.mpf(10) ** -25
+        flat = [mpmath.chop(entry, chop) for row in hessian for entry in row]
+        return [[mpmath.chop(here, chop)], [mpmath.chop(g, chop) for g in gradient], flat]
 
 
 def minors_of(matrix: Any) -> list[Any]:
@@ -233,7 +316,7 @@ def rounding_bounds(
         for entries in program.results:
             bounds = []
             for entry in entries:
-                bounds.append(operand(entry)[1] * epsilon)
+                bounds.append(np.nan_to_num(operand(entry)[1] * epsilon, nan=np.inf, posinf=np.inf))
             results.append(np.stack(bounds, axis=-1) if bounds else np.zeros((count, 0)))
     return results
 
@@ -254,10 +337,12 @@ def _step(op: str, arguments: list[Any], epsilon: float, sine_ulps: float) -> tu
     if op == "sqrt":
         a = np.maximum(a, 0)
         value, error = np.sqrt(a), ea / (np.sqrt(a + ea * epsilon) + np.sqrt(np.maximum(a - ea * epsilon, 0)))
-        return value, np.where(ea == 0, 0, error) + _rounded(value, error, epsilon)
+        exact = (a == 0) & (ea == 0)
+        return value, np.where(exact, 0, np.where(ea == 0, 0, error) + _rounded(value, error, epsilon))
     if op in ("add", "sub"):
         value, error = (a + b if op == "add" else a - b), ea + eb
         exact = ((a == 0) & (ea == 0)) | ((b == 0) & (eb == 0))
+        exact |= (ea == 0) & (eb == 0) & (a == np.rint(a)) & (b == np.rint(b)) & (np.abs(value) < 2.0**20)
         return value, error + np.where(exact, 0, _rounded(value, error, epsilon))
     if op == "mul":
         value = a * b
@@ -266,6 +351,17 @@ def _step(op: str, arguments: list[Any], epsilon: float, sine_ulps: float) -> tu
             eb == 0
         )
         return value, error + np.where(exact, 0, _rounded(value, error, epsilon))
+    if op in ("min", "max"):
+        clear = np.abs(a - b) > (ea + eb) * epsilon  # which one it is, rounding cannot change
+        first = a < b if op == "min" else a > b
+        return np.where(first, a, b), np.where(clear, np.where(first, ea, eb), np.maximum(ea, eb))
+    if op == "copysign":
+        return np.copysign(a, b), np.where((np.abs(b) <= eb * epsilon) & (eb > 0), np.inf, ea)
+    if op == "atan2":
+        size = np.maximum(a * a + b * b, 1e-300)
+        value, error = np.arctan2(a, b), (np.abs(b) * ea + np.abs(a) * eb) / size
+        torn = (np.abs(a) <= ea * epsilon) & (ea > 0) & (b - eb * epsilon <= 0)  # the angle jumps by a turn there
+        return value, np.where(torn, np.inf, error) + 2 * sine_ulps * np.abs(value)
     if op == "inv":
         a, ea, b, eb = np.ones_like(a), np.zeros_like(a), a, ea
     elif op != "div":
@@ -283,9 +379,11 @@ def _rounded(value: np.ndarray, error: np.ndarray, epsilon: float) -> np.ndarray
 
 def bounds_for(arm: str, group: str, function: str, q: np.ndarray, sine_ulps: float = 0.85) -> list[np.ndarray]:
     """The rounding bounds of one generated function at the configurations q (k, n), in the precision of q."""
-    parameters = ARMS[arm].parameters.astype(q.dtype).astype(float)
-    inputs = {"q": q.astype(float), "parameters": parameters}
-    return rounding_bounds(kernel(arm, group, function), inputs, EPSILON[q.dtype], sine_ulps)
+    operations = kernel(arm, group, function)
+    ports = ports_of(operations)
+    arrays = given(ports, ARMS[arm], q)
+    inputs = {name: array.astype(float) for (name, _), array in zip(ports, arrays, strict=True)}
+    return rounding_bounds(operations, inputs, EPSILON[q.dtype], sine_ulps)
 
 
 def errors_against(found: Sequence[np.ndarray], exact: Sequence[Sequence[Sequence[Any]]]) -> list[np.ndarray]:

@@ -349,13 +349,13 @@ def test_no_compiler(cache, monkeypatch, variables):
 def test_no_compiler_is_complete(cache, monkeypatch):
     """Every method answers in NumPy code as it does compiled, out= and float32 included."""
     monkeypatch.setenv("CC", "no-such-compiler")
-    arm = cr.planar("RPR", [1.0, 0.5, 0.25], [0.0, 0.4, 0.0], name="uncompiled")
+    arm = cr.planar("RPPR", [1.0, 0.5, 0.25, 0.3], [0.0, 0.4, 0.9, 0.0], name="uncompiled")
     q = under.random_q(arm, 5, 1)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", cr.NoCompilerWarning)
         for task in arm.tasks:
             for real in (np.float64, np.float32):
-                gradient = np.empty((5, 3), real)
+                gradient = np.empty((5, 4), real)
                 assert arm.manipulability_gradient(q.astype(real), task=task, criterion="1/H", out=gradient) is gradient
                 place, jacobian = arm.kinematics(q.astype(real), task=task)
                 assert place.dtype == jacobian.dtype == real

@@ -64,19 +64,30 @@ cr = types.SimpleNamespace(load=lambda name: arm)
     assert ran.returncode == 0, ran.stderr
 
 
-def test_the_readme_example_prints_what_it_says(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+PAGES = [
+    path for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))) if ">>>" in path.read_text("utf-8")
+]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda path: path.stem)
+def test_the_examples_of_a_page_print_what_they_say(
+    page: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A page is read from top to bottom: a later example knows what an earlier one made."""
     import doctest
 
-    monkeypatch.chdir(tmp_path)  # the example writes a folder
-    text = (ROOT / "README.md").read_text("utf-8")
-    blocks = re.findall(r"^```python\n(.*?)^```", text, re.S | re.M)
-    assert blocks, "README.md shows no Python"
-    for number, block in enumerate(blocks):
-        parsed = doctest.DocTestParser().get_doctest(block, {}, f"README.md block {number}", "README.md", 0)
-        assert parsed.examples
+    monkeypatch.chdir(tmp_path)  # an example may write files
+    known: dict[str, object] = {}
+    for number, block in enumerate(re.findall(r"^```python\n(.*?)^```", page.read_text("utf-8"), re.S | re.M)):
+        parsed = doctest.DocTestParser().get_doctest(block, known, f"{page.name} block {number}", page.name, 0)
         runner = doctest.DocTestRunner(optionflags=doctest.NORMALIZE_WHITESPACE)
-        runner.run(parsed)
+        runner.run(parsed, clear_globs=False)
+        known |= parsed.globs
         assert runner.failures == 0
+
+
+def test_the_readme_shows_python() -> None:
+    assert PAGES[0].name == "README.md"
 
 
 @pytest.mark.parametrize("name", ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff", "LICENSE"])

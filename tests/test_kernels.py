@@ -44,9 +44,19 @@ def test_double_against_forty_digits(arm, group, function):
     for array, error, bound in zip(found, errors, bounds, strict=True):
         assert np.all(np.isfinite(array))
         assert np.all(error <= bound)
+        # The bound says something, unless a length of 0 makes rounding decide whether a solution is at infinity.
+        assert np.isfinite(bound).mean() > 0.7 or not array.any() or "0," in arm or ", 0)" in arm
 
 
-@pytest.mark.parametrize(("arm", "group", "function"), [case for case in CASES if "gradient" not in case.values[2]])
+PLAIN = [
+    case
+    for case in CASES
+    if case.values[1] in ("kinematics", "position", "x_alpha", "pose")
+    and not any(word in case.values[2] for word in ("gradient", "hessian", "postures"))
+]
+
+
+@pytest.mark.parametrize(("arm", "group", "function"), PLAIN)
 def test_double_in_plain_figures(arm, group, function):
     """To 1e-15 (five units in the last place): kinematics and projectors of their largest entry, minors and H of the
     product of the Jacobian's row lengths, which is what they could reach."""
@@ -63,17 +73,16 @@ def test_double_in_plain_figures(arm, group, function):
 @every_function
 def test_float_against_double(arm, group, function):
     q = under.random_q(under.ARMS[arm], 200, 2).astype(np.float32)
-    parameters = under.ARMS[arm].parameters.astype(np.float32).astype(float)
-    found = under.outputs_of(compiled(arm, function), under.ARMS[arm], q)
-    given = [q.astype(float), parameters] if parameters.size else [q.astype(float)]
-    exact = compiled(arm, function)(*given)
+    evaluator = compiled(arm, function)
+    found = under.outputs_of(evaluator, under.ARMS[arm], q)
+    exact = evaluator(*(array.astype(float) for array in under.given(evaluator.inputs, under.ARMS[arm], q)))
     exact = exact if isinstance(exact, tuple) else (exact,)
     bounds = under.bounds_for(arm, group, function, q)
     for array, double, bound in zip(found, exact, bounds, strict=True):
         assert array.dtype == np.float32
-        with np.errstate(over="ignore"):
+        with np.errstate(over="ignore", invalid="ignore"):
             difference = np.abs(array - double.reshape(array.shape))
-        assert np.all(difference <= bound)
+        assert np.all((difference <= bound) | np.isinf(bound))
 
 
 @every_function

@@ -24,8 +24,11 @@ from chainrule.derive.manifest import Places
 CHECKOUT = Places.checkout(Path(__file__).resolve().parents[1])
 #: Few arms, so that all can be regenerated in seconds: a family with a closed form, a square arm, a redundant one.
 ARMS = ("planar_3r.toml", "puma560.toml", "panda.toml")
+PLANAR = ("kinematics", "position", "x_alpha", "pose", "motion", "speed_ratio")
+MORPHOLOGIES = tuple(f"planar_{a}{b}{c}" for a in "rp" for b in "rp" for c in "rp")  # generated whatever arms there are
 UNITS = {
-    "planar_rrr": ("kinematics", "position", "x_alpha", "pose"),
+    **dict.fromkeys(MORPHOLOGIES, PLANAR),
+    "motion": ("rest_to_rest",),
     "puma560": ("kinematics", "position", "pose"),
     "panda": ("kinematics", "position", "pose"),
 }
@@ -103,7 +106,7 @@ def written(before, after) -> set[str]:
 def files_of(*units: str) -> set[str]:
     """The files of units such as ``panda_pose``."""
     return {
-        f"{unit.rpartition('_')[0] if not unit.endswith('x_alpha') else unit[:-8]}/{unit}{end}"
+        f"{next((model for model in UNITS if unit.startswith(f'{model}_')), unit.rpartition('_')[0])}/{unit}{end}"
         for unit in units
         for end in (".c", ".h", ".inc", ".py")
     }
@@ -190,19 +193,19 @@ def test_editing_one_derivation(copy):
     assert "panda" not in errors and "puma560" not in errors
     assert run(copy)[0] == 0
     changed = written(before, contents(copy))
-    assert changed - {"manifest.json"} == files_of(*all_of("planar_rrr"))
+    assert changed - {"manifest.json"} == files_of(*(f"planar_rrr_{group}" for group in PLANAR[:4]))
     assert run(copy, "--check")[0] == 0
 
 
 def test_editing_the_minors(copy):
-    """Every unit but the kinematics, whose functions have no minors; the planar closed form imports them."""
+    """Every unit that has minors; the planar closed form, in the kinematics too, imports them."""
     before = contents(copy)
     edit(copy / "derive/manipulability.py", "MOST_PROJECTED = 16", "MOST_PROJECTED = 15 + 1")
     assert run(copy)[0] == 0
     changed = written(before, contents(copy)) - {"manifest.json"}
-    assert changed == files_of(
-        *all_of("planar_rrr"), "panda_position", "panda_pose", "puma560_position", "puma560_pose"
-    )
+    planar = [f"{model}_{group}" for model in MORPHOLOGIES for group in ("position", "x_alpha", "pose")]
+    serial = ("panda_position", "panda_pose", "puma560_position", "puma560_pose")
+    assert changed == files_of(*planar, "planar_rrr_kinematics", *serial)
 
 
 def test_editing_a_geometry(copy):

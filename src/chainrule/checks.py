@@ -87,11 +87,16 @@ def _few(arm: Arm) -> int:
 
 
 def _programs(arm: Arm) -> list[tuple[str, Any]]:
-    """The symbolic programs behind the generated functions: (group, program), gradients left out."""
+    """The symbolic programs behind the functions of a configuration: (group, program), derivatives left out."""
     from chainrule.derive import catalogue
 
     model = arm.description.model
-    return [(group, f.program) for group in arm.groups for f in catalogue.functions(model, group) if not f.derivatives]
+    return [
+        (group, f.program)
+        for group in ("kinematics", *arm.full_rank_tasks)
+        for f in catalogue.functions(model, group)
+        if not f.derivatives and f.program.inputs[0].name == "q"
+    ]
 
 
 def _inputs(arm: Arm, q: Any) -> dict[str, list[Any]]:

@@ -249,7 +249,7 @@ class Model:
 
 
 #: Motion profiles along one axis, from rest to rest.
-REST_TO_REST = Model("motion", "rest_to_rest")
+REST_TO_REST = Model("motion", "motion")
 
 
 def planar_model(kinds: str, lengths: Sequence[float] = (), headings: Sequence[float] = ()) -> Model:
