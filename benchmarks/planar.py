@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import count as counter
 from typing import Any
 
 import numpy as np
@@ -86,7 +87,7 @@ def speed_ratios(count: int) -> list[Way]:
     first = evaluator(q, arm.parameters, tangent, curvature)
     # clear cases only: two real solutions, away from singular postures, where everyone's formulas hold
     bent = np.abs(first[places["parabola"]][..., 0]) > 0.05
-    clear = (first[places["discriminant"]] > 0.01) & (arm.manipulability(q) > 0.3) & bent
+    clear = (first[places["slack"]] > 0.01) & (arm.manipulability(q) > 0.3) & bent
     q, tangent, curvature = (np.ascontiguousarray(part[clear][:count]) for part in (q, tangent, curvature))
     kappa = np.ascontiguousarray(curvature[:, 0])
     out = evaluator(q, arm.parameters, tangent, curvature)
@@ -184,3 +185,93 @@ def _lambdified(arm: cr.Arm) -> Callable[..., Any]:
         changes.append(change.subs(dict(zip(symbols, x, strict=True))))
     found: Callable[..., Any] = sp.lambdify([*q, tx, ty, kappa], [*rates, *changes], "numpy", cse=True)
     return found
+
+
+# ---- minimum time ------------------------------------------------------------------------------------------------
+
+
+def min_time(count: int) -> list[Way]:
+    """The fastest motion of seven joints from rest to rest: durations of all joints."""
+    rng = np.random.default_rng(3)
+    start, goal = rng.uniform(-2.5, 2.5, (2, count, 7))
+    v_max, a_max = rng.uniform(0.5, 3.0, 7), rng.uniform(1.0, 12.0, 7)
+    ways = [
+        Way(
+            "chainrule, cr.min_time",
+            count,
+            lambda: cr.min_time(start, goal, v_max, a_max),
+            lambda: (cr.min_time(start, goal, v_max, a_max).joint_durations,),
+        )
+    ]
+    try:
+        import ruckig
+    except ImportError:
+        return ways
+    few = min(count, 2000)
+    generator, move = ruckig.Ruckig(7), ruckig.InputParameter(7)
+    move.synchronization = ruckig.Synchronization.No
+    move.max_velocity, move.max_acceleration = v_max.tolist(), a_max.tolist()
+    trajectory = ruckig.Trajectory(7)
+
+    def loop() -> tuple[Array]:
+        found = np.empty((few, 7))
+        for k in range(few):
+            move.current_position, move.target_position = start[k].tolist(), goal[k].tolist()
+            if generator.calculate(move, trajectory) < 0:
+                raise Disagreement("Ruckig found no trajectory")
+            found[k] = trajectory.independent_min_durations
+        return (found,)
+
+    return [*ways, Way("Ruckig, a loop in Python", few, loop, loop)]
+
+
+# ---- the workspace within limits -----------------------------------------------------------------------------------
+
+#: Relative accuracy of the area at which the workspace and sampling are compared.
+ACCURACY = 5e-3
+
+
+def limited_workspace() -> tuple[list[Way], str]:
+    """The area of the reachable set of a planar 3R with joint limits: exact, and by sampling to an equal accuracy."""
+    limits = np.radians([[-100.0, 80.0], [10.0, 140.0], [-120.0, 60.0]])
+    fresh = counter()
+
+    def arm() -> cr.Arm:
+        """The arm, longer by a picometre each time: nothing that is remembered helps."""
+        return cr.planar_3r(1.0 + 1e-12 * next(fresh), 0.7, 0.4).with_limits(position=limits.tolist())
+
+    exact, size = cr.workspace(arm()).area, 24
+    while True:
+        errors = [_sampled(arm(), limits, size, seed) / exact - 1.0 for seed in range(5)]
+        error = float(np.sqrt(np.mean(np.square(errors))))
+        if error <= ACCURACY:
+            break
+        size = int(size * 1.5)
+        if size > 600:
+            raise Disagreement(f"sampling comes no nearer than {error:.1e} to the exact area")
+    ways = [
+        Way("chainrule, the exact boundary and area", 1, lambda: cr.workspace(arm()).area),
+        Way(f"sampling, right to {error:.1e}", 1, lambda: _sampled(arm(), limits, size, 0)),
+    ]
+    return ways, f"Workspace within limits: sampling takes {size}² cells to be right to {ACCURACY:g} (five grids)."
+
+
+def _sampled(arm: cr.Arm, limits: Array, size: int, seed: int) -> float:
+    """The area of the cells of a grid that random configurations meet, half of those on the rim counted.
+
+    Configurations are added until a further round as large as the first meets hardly any new cell.
+    """
+    rng = np.random.default_rng(seed)
+    reach = float(np.abs(arm.parameters).sum()) * 1.1
+    shift = rng.uniform(-0.5, 0.5, 2)
+    met = np.zeros((size + 2, size + 2), bool)
+    while True:
+        before = int(met.sum())
+        q = rng.uniform(limits[:, 0], limits[:, 1], (8 * size * size, 3))
+        cells = ((arm.position(q) / reach + 1.0) * (size / 2.0) + shift + 1.0).astype(int)
+        met[cells[:, 0], cells[:, 1]] = True
+        if int(met.sum()) - before <= 2e-4 * before:
+            break
+    inner = met[1:-1, 1:-1] & met[:-2, 1:-1] & met[2:, 1:-1] & met[1:-1, :-2] & met[1:-1, 2:]
+    rim = int(met.sum()) - int(inner.sum())
+    return (int(inner.sum()) + rim / 2.0) * (2.0 * reach / size) ** 2

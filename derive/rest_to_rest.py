@@ -21,16 +21,17 @@ def travelled(peak: Expression, acceleration: Expression, duration: Expression) 
 
 
 def profile() -> Program:
-    """Peak, ramp, cruise and duration: peak = min(V, sqrt(d A)), ramp = peak / A, cruise = d / peak - ramp.
+    """Peak, ramp, cruise and duration: peak = min(V, sqrt(d A)), ramp = peak / A, cruise = max(0, d / V - V / A).
 
-    Without displacement everything is 0; a triangle's cruise is 0 up to rounding, which never makes it negative.
+    V and A are positive, and one of them may be infinite where d is not 0. Without displacement everything is 0; a
+    triangle's cruise is exactly 0, since d / V < V / A.
     """
     move = _input("move", "distance", "velocity", "acceleration")
     distance, velocity, acceleration = move.symbols
     steps = Steps()
     peak = steps.let("peak", sp.Min(velocity, sp.sqrt(distance) * sp.sqrt(acceleration)))
     ramp = steps.let("ramp", peak / acceleration)
-    cruise = steps.let("cruise", sp.Max(distance * GuardedInverse(peak) - ramp, sp.Integer(0)))
+    cruise = steps.let("cruise", sp.Max(distance / velocity - velocity / acceleration, sp.Integer(0)))
     return Program(
         "rest_to_rest",
         "peak speed, ramp, cruise and duration of the fastest move from rest to rest",
@@ -43,21 +44,24 @@ def profile() -> Program:
 def stretched() -> Program:
     """The same move in a longer time T, still with the ramps' acceleration A: the lower root of the area's equation.
 
-    peak (T - peak / A) = d gives peak = 2 d / (T + sqrt(T^2 - 4 d / A)), written so that nothing cancels.
+    peak (T - peak / A) = d gives peak = 2 d / (T + sqrt(T^2 - 4 d / A)), written so that nothing cancels. Under the
+    root stands (T - s) (T + s), s = 2 sqrt(d / A) the least time without a bound on velocity, so that no square
+    overflows. The root is also the time between the ramps, T - 2 peak / A.
     """
     move = _input("move", "distance", "acceleration", "duration")
     distance, acceleration, duration = move.symbols
     steps = Steps()
-    root = steps.let("root", sp.sqrt(sp.Max(duration**2 - 4 * (distance / acceleration), sp.Integer(0))))
-    peak = steps.let("peak", 2 * distance * GuardedInverse(duration + root))
+    least = steps.let("least", 2 * sp.sqrt(distance) / steps.let("root_a", sp.sqrt(acceleration)))
+    spare = steps.let("spare", sp.Max(duration - least, sp.Integer(0)))
+    root = steps.let("root", sp.sqrt(spare) * sp.sqrt(duration + least))
+    peak = steps.let("peak", distance * GuardedInverse((duration + root) / 2))
     ramp = steps.let("ramp", peak / acceleration)
-    cruise = steps.let("cruise", duration - 2 * ramp)
     return Program(
         "rest_to_rest_in",
         "peak speed, ramp and cruise of a move from rest to rest in a given time, with the acceleration given",
         (move,),
         tuple(steps.steps),
-        (Output("profile", (4,), (peak, ramp, cruise, duration)),),
+        (Output("profile", (4,), (peak, ramp, root, duration)),),
     )
 
 
@@ -71,7 +75,8 @@ def state() -> Program:
     falling = steps.let("falling", sp.Max(sp.Min(time - ramp - cruise, ramp), zero))
     rate = steps.let("rate", peak * GuardedInverse(ramp))
     speed = steps.let("speed", rate * (rising - falling))
-    distance = steps.let("distance", rate * rising**2 / 2 + peak * steady + (peak - rate * falling / 2) * falling)
+    reached = steps.let("reached", rate * rising)
+    distance = steps.let("distance", reached * rising / 2 + peak * steady + (peak - rate * falling / 2) * falling)
     return Program(
         "rest_to_rest_state",
         "distance and speed at a time of a move from rest to rest",

@@ -17,19 +17,28 @@ if TYPE_CHECKING:
     from chainrule.compile import NoCompilerWarning
     from chainrule.errors import DescriptionError, GenerationError, InputError
     from chainrule.export import generate
+    from chainrule.goals import FastestMove, Postures, fastest, postures
+
+    from chainrule.timing import JointMove, min_time
 
 __all__ = [
     "Arm",
     "DescriptionError",
+    "FastestMove",
     "GenerationError",
     "InputError",
+    "JointMove",
     "Limits",
     "NoCompilerWarning",
+    "Postures",
+    "fastest",
     "generate",
     "load",
+    "min_time",
     "orthogonal_3r",
     "planar",
     "planar_3r",
+    "postures",
 ]
 
 _HOMES = {
@@ -37,6 +46,8 @@ _HOMES = {
     **dict.fromkeys(("DescriptionError", "GenerationError", "InputError"), "chainrule.errors"),
     "NoCompilerWarning": "chainrule.compile",
     "generate": "chainrule.export",
+    **dict.fromkeys(("FastestMove", "Postures", "fastest", "postures"), "chainrule.goals"),
+    **dict.fromkeys(("JointMove", "min_time"), "chainrule.timing"),
 }
 
 

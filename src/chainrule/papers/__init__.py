@@ -85,7 +85,7 @@ PAPERS: dict[str, Paper] = {
         Paper(
             "deluca",
             "A. De Luca, Robotics I, written exam of 11 January 2012, with solutions",
-            "exercise 1 and the bonus exercise",
+            "exercises 1 and 2 and the bonus exercise",
             "chainrule.papers.deluca",
         ),
     )

@@ -1,4 +1,4 @@
-"""A. De Luca, Robotics I, exam of 11 January 2012: the planar 3R arm of exercise 1 and of the bonus exercise.
+"""A. De Luca, Robotics I, exam of 11 January 2012: the planar 3R arm of exercises 1 and 2 and of the bonus exercise.
 
 The paper's values and formulas are typed here as the paper prints them; ours come from public functions.
 """
@@ -12,23 +12,26 @@ import numpy as np
 import sympy as sp
 
 from chainrule.arm import load, planar_3r
-from chainrule.derive import catalogue, planar
+from chainrule.derive import catalogue, planar, rest_to_rest
 from chainrule.derive.planar_3r import closed_minors, singular_set
 from chainrule.derive.program import closed_form
+from chainrule.goals import FastestMove, fastest, postures
 from chainrule.manipulability import max_manipulability
 from chainrule.papers import Row, compared, shown_equal
 from chainrule.workspaces import dexterous_rings, ring, workspace
 
 Expression = Any
-EXERCISE, BONUS = "exercise 1", "bonus exercise"
+EXERCISE, MOTION, BONUS = "exercise 1", "exercise 2", "bonus exercise"
 
 
 def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
-    """Every quantity of exercise 1 and the bonus exercise."""
+    """Every quantity of the two exercises and the bonus exercise."""
     progress("workspaces")
     found = _workspaces()
     progress("Jacobian, manipulability and singular configurations, by SymPy")
     found += _formulas()
+    progress("the fastest motion")
+    found += _profile_formulas() + _fastest_motion()
     progress("the largest manipulability")
     return tuple(found + _optimum())
 
@@ -183,6 +186,97 @@ def _singular(found: tuple[dict[Expression, Expression], ...], q2: Expression, q
         None,
         "proved" if ours == printed else "DISAGREES",
         "derive.planar_3r.singular_set(arm)",
+    )
+
+
+def _profile_formulas() -> list[Row]:
+    """Equations (2) to (4): the durations follow from the area under the velocity."""
+    d, v, a, time = sp.symbols("d V A T", positive=True)
+    (trapezoid,) = sp.solve(sp.Eq(rest_to_rest.travelled(v, a, time), d), time)
+    peak = sp.sqrt(d * a)
+    (triangle,) = sp.solve(sp.Eq(rest_to_rest.travelled(peak, a, time), d), time)
+    how = "derive.rest_to_rest.travelled: the area under the velocity, solved for the duration"
+    return [
+        shown_equal(
+            MOTION, "T, equation (2)", "(Δ A + V²) / (A V)", sp.simplify(trapezoid - (d * a + v**2) / (a * v)) == 0, how
+        ),
+        shown_equal(
+            MOTION,
+            "equation (3)",
+            "Δ ≥ V²/A exactly if T ≥ 2 Ts",
+            sp.simplify((trapezoid - 2 * v / a) * v - (d - v**2 / a)) == 0,
+            how,
+        ),
+        shown_equal(MOTION, "T, equation (4)", "2 √(Δ/A)", sp.simplify(triangle - 2 * sp.sqrt(d / a)) == 0, how),
+    ]
+
+
+def _fastest_motion() -> list[Row]:
+    arm = load("planar_3r")
+    start, goals = postures(arm, 1.75, 0.0, 0.0), postures(arm, 1.25, 0.5, 0.0)
+    how = "postures(load('planar_3r'), 1.25, 0.5, 0)"
+    found = [
+        _all_of(
+            "q_A, the only posture there",
+            ["0", "0", "0"],
+            np.degrees(start.q),
+            "postures(load('planar_3r'), 1.75, 0, 0)",
+            "°",
+        ),
+        _all_of("q'_B", ["0", "90", "-90"], np.degrees(goals.q[:1]), how, "°"),
+        _all_of("q''_B", ["53.13", "-90", "36.87"], np.degrees(goals.q[1:]), how, "°"),
+    ]
+    best = fastest(start.q[0], goals.q, arm.limits.velocity, arm.limits.acceleration, kinds=arm.kinds)
+    how = "fastest(q_A, q_B, V, A, kinds='RRR')"
+    for k, (name, times, whole, cases) in enumerate(
+        (("T'", ["0", "1.5", "1.75"], "1.75", "d, b, a"), ("T''", ["1.1903", "1.5", "0.8645"], "1.5", "c, b, a"))
+    ):
+        ours = best.moves.joint_durations[k : k + 1]
+        letters = ", ".join(best.moves.cases[k])
+        found += [
+            _all_of(f"joint times of {name}", times, ours, f"{how}.moves.joint_durations[{k}]", " s"),
+            _same(f"cases of {name}", cases, letters, f"{how}.moves.cases[{k}]"),
+            compared(MOTION, name, whole, float(best.durations[k]), f"{how}.durations[{k}]", unit=" s"),
+        ]
+    together = fastest(
+        start.q[0], goals.q, arm.limits.velocity, arm.limits.acceleration, kinds=arm.kinds, synchronise="time"
+    )
+    return [*found, *_statements(best, together, how)]
+
+
+def _statements(best: FastestMove, together: FastestMove, how: str) -> list[Row]:
+    chosen = {0: "q'_B", 1: "q''_B"}[best.index]
+    spare = [j + 1 for j in range(3) if not best.move.bottleneck[j]]
+    another = together.move.duration == best.move.duration and together.move.peak[0] < best.move.peak[0]
+    ours = f"no: extra motion of joints {' and '.join(map(str, spare))}" if another and not best.unique else "yes"
+    turning = best.move.sample(np.linspace(0.0, float(best.move.duration), 151)).velocity.sum(axis=-1)
+    changes = "not constant" if np.abs(turning).max() > 1e-9 else "constant"
+    return [
+        compared(MOTION, "minimum motion time T", "1.5", float(best.move.duration), f"{how}.move.duration", unit=" s"),
+        _same("the goal it goes to", "q''_B", chosen, f"{how}.index"),
+        _same("is the motion unique", "no: extra motion of joints 1 and 3", ours, f"{how}.unique, .move.bottleneck"),
+        _same("orientation during the motion", "not constant", changes, f"{how}.move.sample(t).velocity"),
+    ]
+
+
+def _same(quantity: str, printed: str, ours: str, how: str) -> Row:
+    """A statement against the paper's."""
+    return Row(MOTION, quantity, printed, ours, None, "agrees" if ours == printed else "DISAGREES", how)
+
+
+def _all_of(quantity: str, printed: list[str], values: Any, how: str, unit: str) -> Row:
+    """The numbers in the only row of ``values``, each against the paper's."""
+    if np.shape(values) != (1, len(printed)):
+        return Row(MOTION, quantity, ", ".join(printed), f"{len(values)} found", None, "DISAGREES", how)
+    each = [compared("", "", p, float(x) + 0.0, "") for p, x in zip(printed, values[0], strict=True)]
+    return Row(
+        MOTION,
+        quantity,
+        f"({', '.join(printed)}){unit}",
+        f"({', '.join(row.ours for row in each)}){unit}",
+        max((row.difference or 0.0 for row in each), key=abs),
+        "agrees" if all(row.good for row in each) else "DISAGREES",
+        how,
     )
 
 

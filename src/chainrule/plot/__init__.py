@@ -12,5 +12,6 @@ from __future__ import annotations
 
 from chainrule.plot.arm import draw_arm
 from chainrule.plot.maps import draw_map
+from chainrule.plot.timing import draw_profiles
 
-__all__ = ["draw_arm", "draw_map"]
+__all__ = ["draw_arm", "draw_map", "draw_profiles"]

@@ -1,4 +1,4 @@
-"""The arm drawn: in its plane with the circles it reaches, or in space seen from the side and above."""
+"""The arm drawn: in its plane with what it reaches, or in space seen from the side and above."""
 
 from __future__ import annotations
 
@@ -8,11 +8,12 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.patches import Annulus, Circle
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
+from chainrule.errors import InputError
 from chainrule.plot.style import COLOURS, WIDTH, figure, styled
+from chainrule.plot.workspace import fill, outline
 from chainrule.skeleton import Skeleton, skeleton
 from chainrule.tables import readable
 from chainrule.workspaces import workspace
@@ -32,23 +33,25 @@ def draw_arm(arm: Arm, q: Any, title: str = "") -> Figure:
 
 def _planar(arm: Arm, bones: Skeleton, title: str) -> Figure:
     drawing, axes = figure(WIDTH * 0.92)
-    exact = "P" not in arm.kinds
-    radius = float(np.abs(np.vstack([bones.points, bones.tip])).max())
-    if exact:
-        rings = workspace(arm)
-        ((inner, outer),) = rings.primary
-        radius = outer
-        axes.add_patch(_ring(inner, outer, COLOURS["ground"]))
-        for low, high in rings.secondary:
-            axes.add_patch(_ring(low, high, COLOURS["fill"]))
-        for value in sorted({inner, outer, *(r for ring in rings.secondary for r in ring)}):
-            if value > 0.0:
-                edge = COLOURS["muted"] if value in (inner, outer) else COLOURS["link"]
-                axes.add_patch(
-                    Circle(
-                        (0, 0), value, fill=False, ec=edge, lw=0.8, ls="-" if value in (inner, outer) else (0, (4, 3))
-                    )
-                )
+    shown = np.vstack([np.zeros(3), bones.points, bones.tip])[:, :2]
+    try:
+        found = workspace(arm)
+    except InputError:  # an unlimited slide reaches without bounds
+        found = None
+    if found is not None:
+        edges = np.concatenate([outline(piece) for piece in found.region.pieces])
+        shown = np.vstack([shown, np.stack([edges.real, edges.imag], axis=1)])
+        fill(axes, found.region, COLOURS["ground"], zorder=1.0)
+        fill(axes, found.dexterous, COLOURS["fill"], zorder=1.1)
+        for region, colour, dashes in (
+            (found.region, COLOURS["muted"], "-"),
+            (found.dexterous, COLOURS["link"], (0, (4, 3))),
+        ):
+            for loop in [*region.loops, *((curve,) for curve in region.curves)]:
+                line = np.concatenate([outline(piece) for piece in loop])
+                axes.plot(line.real, line.imag, color=colour, lw=0.8, ls=dashes, zorder=1.2)
+    middle = 0.5 * (shown.min(axis=0) + shown.max(axis=0))
+    radius = max(float(np.abs(shown - middle).max()), 1e-9)
     path = [np.zeros(3)]
     for point, kind in zip(bones.points, arm.kinds, strict=True):
         if (kind == "R" and np.linalg.norm(point - path[-1]) > 1e-12) or kind == "P":
@@ -71,19 +74,13 @@ def _planar(arm: Arm, bones: Skeleton, title: str) -> Figure:
         0.13 * radius,
     )
     axes.set_aspect("equal")
-    axes.set_xlim(-1.1 * radius, 1.1 * radius)
-    axes.set_ylim(-1.1 * radius, 1.1 * radius)
+    axes.set_xlim(middle[0] - 1.1 * radius, middle[0] + 1.1 * radius)
+    axes.set_ylim(middle[1] - 1.1 * radius, middle[1] + 1.1 * radius)
     axes.set_xlabel("x [m]")
     axes.set_ylabel("y [m]")
     if title:
         axes.set_title(title, loc="left")
     return drawing
-
-
-def _ring(inner: float, outer: float, colour: str) -> Circle | Annulus:
-    if inner > 0.0:
-        return Annulus((0, 0), outer, outer - inner, fc=colour, ec="none")
-    return Circle((0, 0), outer, fc=colour, ec="none")
 
 
 def projection() -> Array:

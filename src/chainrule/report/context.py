@@ -12,6 +12,7 @@ from chainrule.arm import Arm
 from chainrule.checks import Check, checks
 from chainrule.manipulability import (
     ManipulabilityMap,
+    Maximum,
     depends_on,
     manipulability_map,
     max_manipulability,
@@ -40,10 +41,12 @@ class Context:
         return self.arm.default_task if self.arm.default_task in known else known[-1]
 
     @cached_property
-    def maximum(self) -> Found:
-        """The largest H met."""
+    def maximum(self) -> Maximum:
+        """The largest H, with its proof where one can be had."""
         self.progress("searching for the largest manipulability")
-        return max_manipulability(self.arm, self.task)
+        return max_manipulability(
+            self.arm, self.task, progress=lambda line: self.progress(f"largest manipulability: {line}")
+        )
 
     @cached_property
     def minimum(self) -> Found:
@@ -59,9 +62,9 @@ class Context:
     @cached_property
     def map(self) -> ManipulabilityMap:
         """H over the two joints where it varies most, the others at the posture of the largest H."""
-        posture = self.maximum.q
+        largest = self.maximum
         self.progress("drawing the manipulability map")
-        return manipulability_map(self.arm, self.task, q=posture)
+        return manipulability_map(self.arm, self.task, largest=largest)
 
     @cached_property
     def reach(self) -> Reach:

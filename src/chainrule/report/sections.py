@@ -25,7 +25,19 @@ class Section:
 
 
 #: Modules of ``chainrule.report.parts``, in the order of the page.
-ORDER = ("summary", "drawing", "description", "jacobian", "minors", "singular", "map", "reach", "generated", "checked")
+ORDER = (
+    "summary",
+    "drawing",
+    "description",
+    "jacobian",
+    "minors",
+    "singular",
+    "map",
+    "reach",
+    "timing",
+    "generated",
+    "checked",
+)
 
 
 def sections(arm: Arm) -> list[Section]:

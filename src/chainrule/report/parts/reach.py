@@ -4,43 +4,59 @@ from __future__ import annotations
 
 import math
 
+from markupsafe import Markup
+
 from chainrule.arm import Arm
-from chainrule.report.content import Block, Finding, Grid, Part, Points, Prose
+from chainrule.errors import InputError
+from chainrule.plot.style import svg
+from chainrule.plot.workspace import draw_workspace
+from chainrule.report.content import Block, Details, Finding, Grid, Part, Picture, Points, Prose
 from chainrule.report.context import Context
 from chainrule.report.sections import Section
-from chainrule.tables import Column, Table, posture, readable
-from chainrule.workspaces import workspace
+from chainrule.tables import posture, readable
+from chainrule.workspaces import Workspace, boundary_table, findings, rings_table, workspace
 
 
-def _rings(arm: Arm) -> list[Block]:
-    exact = workspace(arm)
-    rows = [("reached", *ring) for ring in exact.primary] + [
-        ("reached with every orientation", *r) for r in exact.secondary
-    ]
-    if not exact.secondary:
-        rows.append(("reached with every orientation: nowhere", None, None))  # type: ignore[arg-type]
-    table = Table(
-        "Rings about the base, joints without limits",
-        (Column("set", "points"), Column("inner", "inner radius", "m"), Column("outer", "outer radius", "m")),
-        tuple(rows),
+def _exact(arm: Arm, found: Workspace) -> list[Block]:
+    """The exact workspaces of a planar arm: how large, why the boundary is where it is, and a figure."""
+    first, second = findings(found)[:2]
+    about = (
+        "The arm's first moving joint is at the base and turns freely, so the sets are rings about the base, and their "
+        "radii are exact."
+        if found.symmetric
+        else "The joint limits make the reachable set a region bounded by arcs and straight segments. They, and the "
+        "area, are in closed form: along each edge one joint moves, and every other one is at a limit or in line "
+        "with the axes of the joints that are free."
     )
-    return [
-        Prose(
-            "For a planar chain of revolute joints the workspace is a ring, and its radii are exact: the sum "
-            "of the link lengths outside; inside, by how much the longest link exceeds all the others together, or "
-            "zero."
-        ),
-        Grid(table),
-    ]
+    blocks: list[Block] = [Finding(f"{first} {second}."), Prose(about)]
+    if found.primary or found.secondary:
+        blocks.append(Grid(rings_table(found)))
+    picture = svg(draw_workspace(arm, found), "workspace", f"The workspace of {arm.name}", f"{first} {second}.")
+    caption = "Light: every point the tip reaches within the joint limits. Darker: reached with every orientation."
+    if not found.exact:
+        caption += " The darker outline has no closed form; its corners were found by bisection to 1e-9 of the size."
+    blocks.append(Picture(Markup(picture), caption))
+    if not found.symmetric:
+        blocks.append(Details("The boundary, piece by piece", (Grid(boundary_table(found)),)))
+    return blocks
+
+
+def _bounded(arm: Arm) -> Workspace | None:
+    """The exact workspace, of a planar arm that has one."""
+    try:
+        return workspace(arm)
+    except InputError:
+        return None
 
 
 def _build(arm: Arm, context: Context) -> Part:
     found = context.reach
     blocks: list[Block] = []
-    planar_turning = "x_alpha" in arm.tasks and "P" not in arm.kinds
+    context.progress("working out the exact workspace")
+    exact = _bounded(arm)
     limited = any(joint.position is not None for joint in arm.description.joints)
-    if planar_turning:
-        blocks += _rings(arm)
+    if exact is not None:
+        blocks += _exact(arm, exact)
     at = posture(arm, found.farthest.q)
     inside = " within the joint limits" if limited else ""
     if not math.isfinite(found.bound):
@@ -68,14 +84,15 @@ def _build(arm: Arm, context: Context) -> Part:
         f"{readable(found.highest, 4)} m.",
     ]
     blocks.append(Points(tuple(items)))
-    if math.isfinite(found.bound) and not planar_turning:
+    if math.isfinite(found.bound) and exact is None:
         blocks.append(
             Prose(
                 "The bound is certain: it is the length of a chain of points, one on each joint's axis, whose "
                 "distances the joints cannot change. Distances are from the origin of the base frame to the tip."
             )
         )
-    return Part(tuple(blocks), found.to_dict())
+    data = found.to_dict() | ({} if exact is None else {"workspace": exact.to_dict()})
+    return Part(tuple(blocks), data)
 
 
 SECTION = Section("reach", "Reach", lambda arm: True, _build)

@@ -83,7 +83,7 @@ def _general(arm: Arm, context: Context) -> tuple[list[Block], dict[str, object]
         ], {"smallest_H": context.maximum.value, "proved": True}
     certain = _certain(arm, context, task)
     found = context.minimum
-    scale = context.maximum.value
+    scale = float(arm.manipulability(context.maximum.q, task=task))
     jacobian = np.asarray(arm.jacobian(found.q, task=task))
     values = np.linalg.svd(jacobian, compute_uv=False)
     rank = int((values > 1e-6 * values[0]).sum())

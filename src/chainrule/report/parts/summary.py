@@ -75,7 +75,10 @@ def _build(arm: Arm, context: Context) -> Part:
     ]
     pairs = [("joints", f"{arm.n} ({arm.kinds})")]
     if context.task is not None:
-        text = f"{context.maximum.value:.4g}{unit(arm, context.task).suffix}"
+        height = float(arm.manipulability(context.maximum.q, task=context.task))
+        text = f"{height:.4g}{unit(arm, context.task).suffix}" + (
+            ", proved" if context.maximum.proved and math.isfinite(context.maximum.value) else ""
+        )
         pairs += [("task", f"{context.task}, {arm.tasks[context.task]} rows"), (_largest(arm), text)]
     pairs.append(
         ("reach from the base", f"{readable(reach.farthest.value, 5)} m" if math.isfinite(reach.bound) else "unlimited")

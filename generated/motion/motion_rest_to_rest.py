@@ -1,0 +1,98 @@
+"""rest to rest of motion, in NumPy.
+
+Made from templates/kernel.py.j2; inputs d3fdf998802de6d58ddc01b73a5b0e8018a7e1f6790698b7fc3f8e2605414b0a.
+53 operations. Do not edit: change the derivation and regenerate.
+
+SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
+"""
+
+import numpy as np
+
+
+def rest_to_rest(move):
+    """peak speed, ramp, cruise and duration of the fastest move from rest to rest: 11 operations.
+
+    in   move[3] = (distance, velocity, acceleration)
+    out  profile[4]
+    """
+    move = np.asarray(move)
+    leading = np.broadcast_shapes(move.shape[:-1])
+    real = np.result_type(move, np.float32)
+
+    # inputs, sines and cosines
+    velocity = move[..., 1]
+    acceleration = move[..., 2]
+    distance = move[..., 0]
+
+    # terms
+    t1 = np.minimum(velocity, np.sqrt(acceleration) * np.sqrt(distance))
+    t2 = t1 / acceleration
+    t3 = np.maximum(0.0, distance / velocity - velocity / acceleration)
+
+    # results
+    profile = np.empty((*leading, 4), real)
+    profile[..., 0] = t1
+    profile[..., 1] = t2
+    profile[..., 2] = t3
+    profile[..., 3] = t3 + (t2 + t2)
+    return profile.reshape(leading + (4,))
+
+
+def rest_to_rest_in(move):
+    """peak speed, ramp and cruise of a move from rest to rest in a given time, with the acceleration given: 17 operations.
+
+    in   move[3] = (distance, acceleration, duration)
+    out  profile[4]
+    """
+    move = np.asarray(move)
+    leading = np.broadcast_shapes(move.shape[:-1])
+    real = np.result_type(move, np.float32)
+
+    # inputs, sines and cosines
+    duration = move[..., 2]
+    distance = move[..., 0]
+    acceleration = move[..., 1]
+
+    # terms
+    t1 = np.sqrt(distance)
+    t2 = (t1 + t1) / np.sqrt(acceleration)
+    t3 = np.sqrt(np.maximum(0.0, duration - t2)) * np.sqrt((duration + t2))
+    t4 = 0.5 * duration + 0.5 * t3
+    t5 = distance / t4
+
+    # results
+    profile = np.empty((*leading, 4), real)
+    profile[..., 0] = np.where(t4 != 0.0, t5, 0.0)
+    profile[..., 1] = np.where(t4 != 0.0, t5 / acceleration, 0.0)
+    profile[..., 2] = t3
+    profile[..., 3] = duration
+    return profile.reshape(leading + (4,))
+
+
+def rest_to_rest_state(instant):
+    """distance and speed at a time of a move from rest to rest: 25 operations.
+
+    in   instant[4] = (peak, ramp, cruise, time)
+    out  state[2]
+    """
+    instant = np.asarray(instant)
+    leading = np.broadcast_shapes(instant.shape[:-1])
+    real = np.result_type(instant, np.float32)
+
+    # inputs, sines and cosines
+    ramp = instant[..., 1]
+    time = instant[..., 3]
+    cruise = instant[..., 2]
+    peak = instant[..., 0]
+
+    # terms
+    t1 = np.maximum(0.0, np.minimum(ramp, time - cruise - ramp))
+    t2 = peak / ramp
+    t3 = t1 * (peak - np.where(ramp != 0.0, 0.5 * t1 * t2, 0.0)) + peak * np.maximum(0.0, np.minimum(cruise, time - ramp))
+    t4 = np.maximum(0.0, np.minimum(ramp, time))
+
+    # results
+    state = np.empty((*leading, 2), real)
+    state[..., 0] = t3 + np.where(ramp != 0.0, t4 * (0.5 * (t2 * t4)), 0.0)
+    state[..., 1] = np.where(ramp != 0.0, t2 * (t4 - t1), 0.0)
+    return state.reshape(leading + (2,))

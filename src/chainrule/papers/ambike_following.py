@@ -1,0 +1,161 @@
+"""S. Ambike, J. P. Schmiedeler and M. M. Stanisic: what the paper claims of following a path, measured.
+
+Its two figures, and its claims over many random arms, postures and paths instead of two.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from chainrule.arm import load
+from chainrule.following import Comparison, Loops, Study, compare, study, study_paths
+from chainrule.papers import Row
+from chainrule.paths import Circle, Ellipse
+from chainrule.stretches import Method
+
+#: The postures (deg) and tangents of the two examples; both turn right, with curvature 1.
+EXAMPLES = {
+    "figure 1": ((-14.0, -10.0, -205.0), (2.0, 1.0)),
+    "figure 2": ((-14.0, -40.0, -205.0), (0.9439, 0.3304)),
+}
+ERROR = 0.025
+_BOTH: tuple[Method, ...] = ("pseudoinverse", "speed_ratio")
+
+
+def example(figure: str) -> Comparison:
+    """Both methods from the posture of a figure until the position error reaches 0.025.
+
+    Example:
+        >>> example("figure 1").of("speed_ratio").round(3)
+        array(1.163)
+    """
+    q, tangent = EXAMPLES[figure]
+    return compare(load("ambike_3r"), np.radians(q), tangent, -1.0, ERROR, methods=_BOTH)
+
+
+def rows_following(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
+    """The figures and claims about following a path."""
+    progress("the stretches of figures 1 and 2")
+    found = [_figure(figure) for figure in EXAMPLES]
+    progress("stretches of random arms and postures")
+    studies = [study(1000, tolerance, seed=1) for tolerance in (0.025, 0.005, 0.0005)]
+    found += [_longer(studies), _nearest(studies[0]), _root(studies[0]), _second_term(studies), _ahead(studies)]
+    progress("whole paths")
+    return (*found, *(_updates(name, path) for name, path in _PATHS.items()))
+
+
+_PATHS = {
+    "circles of radius 0.3": Circle((0.0, 0.0), 0.3),
+    "ellipses, semi-axes 0.5 and 0.2": Ellipse((0.0, 0.0), (0.5, 0.2)),
+}
+
+
+def _figure(figure: str) -> Row:
+    found = example(figure)
+    plain, ratio = (float(found.of(method)) for method in _BOTH)
+    return Row(
+        figure,
+        "arc length followed until the position error reaches 0.025",
+        "longer with the speed ratio",
+        f"{ratio:.4g} instead of {plain:.4g}",
+        None,
+        "agrees" if ratio > plain else "DISAGREES",
+        f"ambike_following.example('{figure}')",
+    )
+
+
+def _percent(share: float | None) -> str:
+    return "-" if share is None else f"{100.0 * share:.3g} %"
+
+
+def _longer(studies: list[Study]) -> Row:
+    facts = [entry.to_dict() for entry in studies]
+    worse = ", ".join(_percent(fact["worse"]) for fact in facts)
+    medians = ", ".join(f"{fact['median']:.3g}" for fact in facts)
+    return Row(
+        "section 4, abstract",
+        "the speed ratio stays close for a longer portion of the path than the pseudoinverse",
+        "in both examples",
+        f"{_percent(1.0 - facts[0]['worse'])} of 1000 random arms",
+        None,
+        "special case",
+        "following.study(1000, 0.025, seed=1)",
+        f"it makes the error in s² vanish and leaves that in s³ as it is: less far than the pseudoinverse in {worse} "
+        f"of cases where the position error may be 0.025, 0.005, 0.0005; median travel {medians} times its travel",
+    )
+
+
+def _nearest(entry: Study) -> Row:
+    facts = entry.to_dict()
+    return Row(
+        "example 2",
+        "where Δ < 0 the nearest curvature gives the most locally accurate path",
+        "stated",
+        f"median gain {facts['median_not_met']:.4g}",
+        None,
+        "special case",
+        "following.study(1000, 0.025, seed=1)",
+        f"right to second order, but the gain over the pseudoinverse is almost nil there (where Δ > 0 its median is "
+        f"{facts['median_met']:.3g}), and in {_percent(facts['worse_not_met'])} of cases it is a loss",
+    )
+
+
+def _root(entry: Study) -> Row:
+    facts = entry.to_dict()
+    return Row(
+        "section 3",
+        "of the two solutions, the one whose dκ/ds is nearer the desired one goes farther",
+        "stated by an example",
+        f"in {facts['two_roots'] - facts['better_root_missed']} of {facts['two_roots']} cases",
+        None,
+        "special case",
+        "following.study(1000, 0.025, seed=1)",
+        "the sign of the two errors and the terms of higher order decide the rest",
+    )
+
+
+def _second_term(studies: list[Study]) -> Row:
+    shares = ", ".join(_percent(entry.to_dict()["winner_predicted"]) for entry in studies)
+    return Row(
+        "beyond the paper",
+        "speed ratio or pseudoinverse: the offset's terms in s² and s³, with their signs, tell which goes farther",
+        "not considered",
+        f"in {shares}",
+        None,
+        "refined",
+        "following.study(1000, tolerance, seed=1)",
+        "for position errors of 0.025, 0.005, 0.0005",
+    )
+
+
+def _ahead(studies: list[Study]) -> Row:
+    facts = [entry.to_dict() for entry in studies]
+    never = all(fact["look_ahead_worse"] == 0.0 for fact in facts)
+    medians = ", ".join(f"{fact['look_ahead_median']:.3g}" for fact in facts)
+    return Row(
+        "beyond the paper",
+        "trying the candidates of both methods and of the two-term rule: never worse than the better of them",
+        "not considered",
+        f"median travel {medians} times the pseudoinverse's",
+        None,
+        "refined" if never else "DISAGREES",
+        "following.study(1000, tolerance, seed=1)",
+        "for position errors of 0.025, 0.005, 0.0005",
+    )
+
+
+def _updates(name: str, path: Circle | Ellipse) -> Row:
+    loops: Loops = study_paths(path, 40, 0.005, methods=_BOTH, seed=1)
+    facts = loops.to_dict()["methods"]["speed_ratio"]
+    return Row(
+        "section 1, abstract",
+        f"less feedback is needed: {name}, position error 0.005",
+        "stated",
+        f"fewer updates in {_percent(facts['fewer'])}, median {facts['median_ratio']:.3g} of the pseudoinverse's",
+        None,
+        "special case" if facts["more"] else "agrees",
+        "following.study_paths(path, 40, 0.005, seed=1)",
+        f"more updates in {_percent(facts['more'])} of 40 random arms" if facts["more"] else "",
+    )
