@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from chainrule.errors import DescriptionError, GenerationError, InputError
     from chainrule.export import generate
     from chainrule.goals import FastestMove, Postures, fastest, postures
-
+    from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
     from chainrule.timing import JointMove, min_time
 
 __all__ = [
@@ -29,11 +29,15 @@ __all__ = [
     "InputError",
     "JointMove",
     "Limits",
+    "ManipulabilityMap",
+    "Maximum",
     "NoCompilerWarning",
     "Postures",
     "fastest",
     "generate",
     "load",
+    "manipulability_map",
+    "max_manipulability",
     "min_time",
     "orthogonal_3r",
     "planar",
@@ -47,6 +51,9 @@ _HOMES = {
     "NoCompilerWarning": "chainrule.compile",
     "generate": "chainrule.export",
     **dict.fromkeys(("FastestMove", "Postures", "fastest", "postures"), "chainrule.goals"),
+    **dict.fromkeys(
+        ("ManipulabilityMap", "Maximum", "manipulability_map", "max_manipulability"), "chainrule.manipulability"
+    ),
     **dict.fromkeys(("JointMove", "min_time"), "chainrule.timing"),
 }
 

@@ -61,7 +61,8 @@ class Arm:
         self._description = description
         self._evaluators = Evaluators(description.model)
         self._parameters = tuple(np.array(p) for p in (description.model.parameters,) if p)
-        self._single_parameters = tuple(p.astype(np.float32) for p in self._parameters)
+        with np.errstate(over="ignore"):  # lengths beyond float's range are infinite there
+            self._single_parameters = tuple(p.astype(np.float32) for p in self._parameters)
         for parameters in self._parameters:
             parameters.flags.writeable = False
 

@@ -14,7 +14,14 @@ from typing import Annotated, Any
 
 import typer
 
-from chainrule.commands import arms, generate, min_time, report, reproduce  # noqa: F401  each adds its commands to the application
+from chainrule.commands import (  # noqa: F401  each adds its commands to the application
+    arms,
+    generate,
+    manipulability,
+    min_time,
+    report,
+    reproduce,
+)
 from chainrule.console import app, complain, say
 from chainrule.errors import GenerationError, InputError
 

@@ -309,6 +309,19 @@ def _optimum() -> list[Row]:
             "the difference is to the grid's largest value",
         )
     )
+    both = best.proved and best.complete and len(best.others) == 1 and np.allclose(best.others[0], -best.q, atol=1e-7)
+    found.append(
+        Row(
+            BONUS,
+            "two symmetric configurations provide the maximum, and no other",
+            "seen in figures 4 and 5",
+            f"global to {max(best.bound / best.value - 1.0, 1e-15):.0e}" if both else "not proved",
+            None,
+            "proved" if both else "DISAGREES",
+            "max_manipulability(load('planar_3r'))",
+            best.how,
+        )
+    )
     one, two = (max_manipulability(planar_3r(*[size] * 3)) for size in (1.0, 2.0))
     same = bool(np.allclose(one.q, two.q, atol=1e-6)) and abs(two.value / one.value - 4.0) < 1e-9
     found.append(

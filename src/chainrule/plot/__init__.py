@@ -11,7 +11,7 @@ Example:
 from __future__ import annotations
 
 from chainrule.plot.arm import draw_arm
-from chainrule.plot.maps import draw_map
+from chainrule.plot.maps import draw_map, draw_optima
 from chainrule.plot.timing import draw_profiles
 
-__all__ = ["draw_arm", "draw_map", "draw_profiles"]
+__all__ = ["draw_arm", "draw_map", "draw_optima", "draw_profiles"]

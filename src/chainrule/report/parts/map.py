@@ -18,16 +18,18 @@ from chainrule.tables import posture, readable
 
 def _zeros(found: ManipulabilityMap) -> str:
     """The map's marks of singular configurations."""
+    if found.minimum.value > 1e-7 * found.maximum.value:
+        return ""
     if found.determinant is not None:
-        return "dashed lines are where H is zero"
-    return "crosses where H is zero" if len(found.singular) else "and H is zero nowhere on isolated points"
+        return ", dashed lines are where H is zero"
+    return ", crosses where H is zero" if len(found.singular) else ""
 
 
 def _status(arm: Arm, context: Context) -> Finding:
     """What is known of the largest H of all, and how surely."""
     largest, size = context.maximum, unit(arm, context.task)
     if not math.isfinite(largest.value):
-        return Finding(f"H grows without bound: {largest.how}.")
+        return Finding(f"{largest.how}.")
     value = f"{largest.value:.10g}{size.suffix}"
     count = len(largest.others)
     where = posture(arm, largest.q) + (f", and at {count} further posture{'s' if count > 1 else ''}" if count else "")
@@ -86,7 +88,7 @@ def _build(arm: Arm, context: Context) -> Part:
         optima = (Picture(Markup(drawn), "The arm where H is largest; joints that do not matter are mid-range."),)
     return Part(
         (
-            Picture(Markup(text), f"Lighter is larger; rings mark the maximum, {_zeros(found)}.{again} {scope}"),
+            Picture(Markup(text), f"Lighter is larger; rings mark the maximum{_zeros(found)}.{again} {scope}"),
             _status(arm, context),
             *optima,
             Prose(
