@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cached_property, partial
 from itertools import product
 from types import ModuleType
-from typing import Any, Literal
+from typing import Any
 
 from chainrule.derive import (
     chain,
@@ -36,33 +36,24 @@ FAMILIES: dict[str, tuple[ModuleType, dict[str, int]]] = {
     "motion": (rest_to_rest, {}),
 }
 
-#: Names of the functions that are derivatives of a program.
-_DERIVED = {"gradients": "manipulability_gradient_{}", "hessian": "manipulability_hessian_{}"}
-
-#: H^2 is differentiated twice where it is the sum of no more squares than this.
-MOST_TWICE = 10
-
-#: Models that are generated although no embedded arm needs them: motion profiles, and the planar arms of three joints.
-STANDING: tuple[Model, ...] = (REST_TO_REST, *(planar_model("".join(kinds)) for kinds in product("RP", repeat=3)))
+#: Models, and groups of them, that are generated although no embedded arm needs them: motion profiles, and of the
+#: planar arms of three joints what speed ratios and following a path take.
+STANDING: dict[Model, tuple[str, ...]] = {
+    REST_TO_REST: ("rest_to_rest",),
+    **{planar_model("".join(kinds)): ("kinematics", "motion", "speed_ratio") for kinds in product("RP", repeat=3)},
+}
 
 #: Models with results in closed form: ``minors(arm)`` of the position Jacobian, perhaps ``survey(arm)`` and the like.
 CLOSED_FORMS: dict[str, ModuleType] = {"planar_rrr": planar_3r, "orthogonal_3r": orthogonal_3r}
 
 
-Derivatives = Literal["", "gradients", "hessian"]
-
-
 @dataclass(frozen=True)
 class Function:
-    """One generated function: its program or derivatives of it.
-
-    ``derivatives`` is ``"gradients"`` (of the norm or product of the program's output: H, and of 1/H and H^(-1/2)),
-    ``"hessian"`` (of the squared norm: H^2), or empty.
-    """
+    """One generated function: its program or, with ``gradient``, the gradients of that program's norm or product."""
 
     name: str
     program: Program
-    derivatives: Derivatives = ""
+    gradient: bool = False
 
 
 class Subject:
@@ -103,11 +94,6 @@ class Subject:
         found: Program | None = getattr(self.closed, name)(self.arm) if hasattr(self.closed, name) else None
         return found
 
-    def small(self) -> Program | None:
-        """The minors of a planar arm, where they are few enough to be differentiated twice."""
-        few = self.planar and self.has_minors and len(self.weights.outputs[0].expressions) <= MOST_TWICE
-        return self.weights if few else None
-
     def null_vector(self) -> Program | None:
         """The null vector from the signed minors, where one joint is to spare."""
         return manipulability.null_vector(self.weights, self.task) if self.has_minors and self.spare == 1 else None
@@ -127,13 +113,13 @@ class Entry:
     ``group`` is ``"kinematics"`` (once for each model), ``"manipulability"`` (one group for each task with no more
     rows than joints) or the name of a group that only some models have (:func:`extras`); ``derivation`` makes the
     program, or None where a model has no such function; ``each_task`` repeats a line of the kinematics for every task;
-    ``derivatives`` asks for derivatives of the program (:class:`Function`).
+    ``gradient`` asks for gradients of the program's norm or product.
     """
 
     group: str
     derivation: Callable[[Subject], Program | None]
     each_task: bool = False
-    derivatives: Derivatives = ""
+    gradient: bool = False
 
 
 def speed_ratio_terms(subject: Subject, leading: int) -> Program | None:
@@ -149,8 +135,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("kinematics", lambda s: s.closed_form("survey")),
     Entry("kinematics", lambda s: s.closed_form("postures")),
     Entry("manipulability", lambda s: manipulability.manipulability(s.weights, s.task)),
-    Entry("manipulability", lambda s: s.weights, derivatives="gradients"),
-    Entry("manipulability", lambda s: s.small(), derivatives="hessian"),
+    Entry("manipulability", lambda s: s.weights, gradient=True),
     Entry("manipulability", lambda s: s.weights if s.has_minors else None),
     Entry("manipulability", lambda s: s.null_vector()),
     Entry("manipulability", lambda s: s.null_projector()),
@@ -217,6 +202,6 @@ def functions(model: Model, group: str) -> list[Function]:
         for task in every if entry.each_task else (group if kind == "manipulability" else "",):
             program = entry.derivation(subjects[task])
             if program is not None:
-                name = _DERIVED[entry.derivatives].format(task) if entry.derivatives else program.name
-                found.append(Function(name, needed(program), entry.derivatives))
+                name = f"manipulability_gradient_{task}" if entry.gradient else program.name
+                found.append(Function(name, needed(program), entry.gradient))
     return found

@@ -76,12 +76,9 @@ def lower(function: Function) -> Kernel:
         (o.name, o.shape, ca.vertcat(*(_sx(e, values) for e in o.expressions))) for o in function.program.outputs
     ]
     summary = function.program.summary
-    if function.derivatives == "gradients":
+    if function.gradient:
         summary = f"H and the gradients of H, 1/H and H^(-1/2), through the {function.program.summary}"
         outputs = _gradients(inputs[0], *outputs[0])
-    elif function.derivatives == "hessian":
-        summary = f"H^2, its gradient and its Hessian, through the {function.program.summary}"
-        outputs = _hessian(inputs[0], outputs[0][2])
     names = [i.name for i in function.program.inputs] + [name for name, _, _ in outputs]
     if len(set(names)) < len(names):
         raise GenerationError(f"{function.name}: an input and an output, or two of either, share a name: {names}")
@@ -119,15 +116,6 @@ def _gradients(q: Any, kind: str, shape: Shape, weights: Any) -> list[tuple[str,
     }
     size = (q.numel(),)
     return [("manipulability", (), h), *((name, size, _where(h, value)) for name, value in found.items())]
-
-
-def _hessian(q: Any, minors: Any) -> list[tuple[str, Shape, Any]]:
-    """H^2 (a polynomial in the sines and cosines, smooth everywhere), its gradient and its Hessian."""
-    square = ca.sumsqr(minors)
-    hessian, gradient = ca.hessian(square, q)
-    size = q.numel()
-    entries = ca.vertcat(*(ca.densify(hessian)[i, j] for i in range(size) for j in range(size)))
-    return [("square", (), square), ("gradient", (size,), ca.densify(gradient)), ("hessian", (size, size), entries)]
 
 
 def _where(x: Any, y: Any) -> Any:

@@ -23,10 +23,8 @@ def reference(function: Function, inputs: Mapping[str, Sequence[Any]], digits: i
         inputs: for each input its entries, row by row.
         digits: significant digits of the result.
     """
-    if not function.derivatives:
+    if not function.gradient:
         return evaluate(function.program, inputs, digits)
-    if function.derivatives == "hessian":
-        return _hessian(function, inputs, digits)
     name = function.program.inputs[0].name
     q = [mpmath.mpf(entry) for entry in inputs[name]]
     with mpmath.workdps(3 * digits):
@@ -45,31 +43,6 @@ def reference(function: Function, inputs: Mapping[str, Sequence[Any]], digits: i
             "inverse_gradient": [-g / value**2 for g in gradient],
             "inverse_root_gradient": [-g / (2 * value ** mpmath.mpf("1.5")) for g in gradient],
         }
-
-
-def _hessian(function: Function, inputs: Mapping[str, Sequence[Any]], digits: int) -> dict[str, list[Any]]:
-    """H^2 with its first and second differences, central ones at a step that leaves them right to ``digits``."""
-    name = function.program.inputs[0].name
-    with mpmath.workdps(4 * digits):
-        q = [mpmath.mpf(entry) for entry in inputs[name]]
-        h, size = mpmath.mpf(10) ** -digits, range(len(q))
-
-        def square(*moves: tuple[int, int]) -> Any:
-            moved = [entry + h * sum(sign for k, sign in moves if k == i) for i, entry in enumerate(q)]
-            return manipulability(function.program, {**inputs, name: moved}, 4 * digits) ** 2
-
-        here = square()
-        gradient = [(square((i, 1)) - square((i, -1))) / (2 * h) for i in size]
-
-        def second(i: int, j: int) -> Any:
-            if i == j:
-                return (square((i, 1)) - 2 * here + square((i, -1))) / h**2
-            corners = square((i, 1), (j, 1)) + square((i, -1), (j, -1))
-            return (corners - square((i, 1), (j, -1)) - square((i, -1), (j, 1))) / (4 * h**2)
-
-        upper = {(i, j): second(i, j) for i in size for j in size if i <= j}
-        hessian = [upper[min(i, j), max(i, j)] for i in size for j in size]
-        return {"square": [here], "gradient": gradient, "hessian": hessian}
 
 
 def manipulability(program: Program, inputs: Mapping[str, Sequence[Any]], digits: int) -> Any:

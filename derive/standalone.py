@@ -94,7 +94,7 @@ def _configurations(arm: Description, functions: list[Function]) -> list[list[fl
         return found
 
     candidates = [one() for _ in range(8 * COUNT)]
-    weights = [f.program for f in functions if f.derivatives == "gradients"]
+    weights = [f.program for f in functions if f.gradient]
     if not weights:
         return candidates[:COUNT]
 

@@ -100,12 +100,13 @@ def planned(arms: Iterable[Description]) -> dict[str, tuple[Model, str]]:
     """
     from chainrule.derive import catalogue
 
-    models: dict[str, Model] = {model.name: model for model in catalogue.STANDING}
+    models: dict[str, Model] = {}
     for arm in arms:
         known = models.setdefault(arm.model.name, arm.model)
         if known.digest != arm.model.digest:
             raise ValueError(f"two embedded arms share the identifier {arm.model.name} but differ in geometry")
-    return {f"{m.name}_{group}": (m, group) for m in models.values() for group in catalogue.groups(m)}
+    found = {f"{m.name}_{group}": (m, group) for m, groups in catalogue.STANDING.items() for group in groups}
+    return found | {f"{m.name}_{group}": (m, group) for m in models.values() for group in catalogue.groups(m)}
 
 
 def headers(places: Places) -> dict[str, str]:

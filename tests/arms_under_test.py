@@ -172,10 +172,8 @@ def outputs_of(evaluator: Evaluator, arm: cr.Arm, q: Any) -> list[np.ndarray]:
 def truth(arm: str, group: str, function: str, q: Sequence[float]) -> list[list[Any]]:
     """Every output at one configuration at 40 digits: of the program, or for gradients of an independent derivative."""
     found = derived(arm, group)[function]
-    if found.derivatives == "gradients":
+    if found.gradient:
         return gradients(ARMS[arm].description, group, q)
-    if found.derivatives == "hessian":
-        return hessians(ARMS[arm].description, group, q)
     ports = ports_of(found.program)
     arrays = given(ports, ARMS[arm], np.asarray(q, float))
     inputs = {name: [float(x) for x in array] for (name, _), array in zip(ports, arrays, strict=True)}
@@ -226,31 +224,6 @@ def gradients(
             gradient.append(mpmath.chop(rise / (2 * step), mpmath.mpf(10) ** -40))
         inverse, root = -1 / here**2, -1 / (2 * here * mpmath.sqrt(here))
         return [[here], gradient, [inverse * g for g in gradient], [root * g for g in gradient]]
-
-
-def hessians(description: Description, task: str, q: Sequence[float], digits: int = 100) -> list[list[Any]]:
-    """H^2, its gradient and its Hessian, by central differences of the reference's det(J J^T)."""
-    with mpmath.workdps(digits):
-        q = [mpmath.mpf(float(x)) for x in q]
-        step, n = mpmath.mpf(10) ** -30, range(len(q))
-
-        def square(*moves: tuple[int, int]) -> Any:
-            moved = [x + step * sum(sign for k, sign in moves if k == i) for i, x in enumerate(q)]
-            jacobian = task_jacobian(description, task, moved, digits)
-            return determinant((jacobian * jacobian.T).tolist())
-
-        here, ahead, behind = square(), [square((i, 1)) for i in n], [square((i, -1)) for i in n]
-        gradient = [(a - b) / (2 * step) for a, b in zip(ahead, behind, strict=True)]
-        hessian = [[mpmath.mpf(0)] * len(q) for _ in n]
-        for i in n:
-            hessian[i][i] = (ahead[i] - 2 * here + behind[i]) / step**2
-            for j in range(i):
-                corners = square((i, 1), (j, 1)) + square((i, -1), (j, -1))
-                corners -= square((i, 1), (j, -1)) + square((i, -1), (j, 1))
-                hessian[i][j] = hessian[j][i] = corners / (4 * step**2)
-        chop = mpmath.mpf(10) ** -25
-        flat = [mpmath.chop(entry, chop) for row in hessian for entry in row]
-        return [[mpmath.chop(here, chop)], [mpmath.chop(g, chop) for g in gradient], flat]
 
 
 def minors_of(matrix: Any) -> list[Any]:

@@ -52,7 +52,7 @@ PLAIN = [
     case
     for case in CASES
     if case.values[1] in ("kinematics", "position", "x_alpha", "pose")
-    and not any(word in case.values[2] for word in ("gradient", "hessian", "postures"))
+    and not any(word in case.values[2] for word in ("gradient", "postures"))
 ]
 
 

@@ -27,7 +27,8 @@ ARMS = ("planar_3r.toml", "puma560.toml", "panda.toml")
 PLANAR = ("kinematics", "position", "x_alpha", "pose", "motion", "speed_ratio")
 MORPHOLOGIES = tuple(f"planar_{a}{b}{c}" for a in "rp" for b in "rp" for c in "rp")  # generated whatever arms there are
 UNITS = {
-    **dict.fromkeys(MORPHOLOGIES, PLANAR),
+    **dict.fromkeys(MORPHOLOGIES, ("kinematics", "motion", "speed_ratio")),
+    "planar_rrr": PLANAR,
     "motion": ("rest_to_rest",),
     "puma560": ("kinematics", "position", "pose"),
     "panda": ("kinematics", "position", "pose"),
@@ -203,9 +204,8 @@ def test_editing_the_minors(copy):
     edit(copy / "derive/manipulability.py", "MOST_PROJECTED = 16", "MOST_PROJECTED = 15 + 1")
     assert run(copy)[0] == 0
     changed = written(before, contents(copy)) - {"manifest.json"}
-    planar = [f"{model}_{group}" for model in MORPHOLOGIES for group in ("position", "x_alpha", "pose")]
-    serial = ("panda_position", "panda_pose", "puma560_position", "puma560_pose")
-    assert changed == files_of(*planar, "planar_rrr_kinematics", *serial)
+    planar = (f"planar_rrr_{group}" for group in PLANAR[:4])
+    assert changed == files_of(*planar, "panda_position", "panda_pose", "puma560_position", "puma560_pose")
 
 
 def test_editing_a_geometry(copy):

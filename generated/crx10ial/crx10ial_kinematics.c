@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 1eaa75761a941b73742b18fa453042ffa6e9d57afba0df39da98e464f2ea3030.
+ * Made from templates/kernel.c.j2; inputs 5c73870d82f82985dd5240af6bd00b314566e19e07643d45781e394e3e32fbad.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "1eaa75761a941b73742b18fa453042ffa6e9d57afba0df39da98e464f2ea3030";
+const char crx10ial_kinematics_digest[] = "5c73870d82f82985dd5240af6bd00b314566e19e07643d45781e394e3e32fbad";
 #endif
 
 #define LANES 64

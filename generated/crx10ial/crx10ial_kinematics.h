@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 1eaa75761a941b73742b18fa453042ffa6e9d57afba0df39da98e464f2ea3030.
+ * Made from templates/kernel.h.j2; inputs 5c73870d82f82985dd5240af6bd00b314566e19e07643d45781e394e3e32fbad.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1eaa75761a941b73742b18fa453042ffa6e9d57afba0df39da98e464f2ea3030.
+Made from templates/kernel.py.j2; inputs 5c73870d82f82985dd5240af6bd00b314566e19e07643d45781e394e3e32fbad.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

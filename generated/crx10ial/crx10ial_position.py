@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 81b872a350c5f15339415f8b2deed8430939c826d417170d4648211587e11670.
+Made from templates/kernel.py.j2; inputs aea8535bb14fd3f1c2cc8eb6e9b569de5f1cf8fd209d3627963a09ff7dacd4b6.
 1276 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

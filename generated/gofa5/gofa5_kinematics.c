@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 703ed3792d9ff27e004f01651ad199d522d7641af6fc4e0db2dad4836222a667.
+ * Made from templates/kernel.c.j2; inputs 65b6c3079d4d3abe5dff9a3e6776b307111b4216ecd87b294d743a65069b8f3f.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "703ed3792d9ff27e004f01651ad199d522d7641af6fc4e0db2dad4836222a667";
+const char gofa5_kinematics_digest[] = "65b6c3079d4d3abe5dff9a3e6776b307111b4216ecd87b294d743a65069b8f3f";
 #endif
 
 #define LANES 64

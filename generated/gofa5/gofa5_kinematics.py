@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 703ed3792d9ff27e004f01651ad199d522d7641af6fc4e0db2dad4836222a667.
+Made from templates/kernel.py.j2; inputs 65b6c3079d4d3abe5dff9a3e6776b307111b4216ecd87b294d743a65069b8f3f.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 5286b717650bbfddcb1fc190cdbedd917421046386aae1e60ad9af6afdc1c703.
+ * Made from templates/kernel.c.j2; inputs 1fbe732093680c31565e69ebc3eff67afe42bff2e46426d2940ca9e2c8d7917d.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "5286b717650bbfddcb1fc190cdbedd917421046386aae1e60ad9af6afdc1c703";
+const char gofa5_pose_digest[] = "1fbe732093680c31565e69ebc3eff67afe42bff2e46426d2940ca9e2c8d7917d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 5286b717650bbfddcb1fc190cdbedd917421046386aae1e60ad9af6afdc1c703.
+ * Made from templates/kernel.h.j2; inputs 1fbe732093680c31565e69ebc3eff67afe42bff2e46426d2940ca9e2c8d7917d.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

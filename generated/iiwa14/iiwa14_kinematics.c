@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 2cafe61f027bafa87fb0e394d3f1bfbd2e7128f96561fa0b1eaded192ea1e5ea.
+ * Made from templates/kernel.c.j2; inputs 2ff328b6024fec250fa5681402ed23ad326e7339ccd93f3de710c599e9081f2e.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "2cafe61f027bafa87fb0e394d3f1bfbd2e7128f96561fa0b1eaded192ea1e5ea";
+const char iiwa14_kinematics_digest[] = "2ff328b6024fec250fa5681402ed23ad326e7339ccd93f3de710c599e9081f2e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 2cafe61f027bafa87fb0e394d3f1bfbd2e7128f96561fa0b1eaded192ea1e5ea.
+ * Made from templates/kernel.h.j2; inputs 2ff328b6024fec250fa5681402ed23ad326e7339ccd93f3de710c599e9081f2e.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs a3190bce4687a16302b0794995ca8b982b33e214b0ba05c0869755b85a327f54.
+ * Made from templates/kernel.c.j2; inputs 5a0eb30d5157f07bdd251eebb3641dbfe25c4b14aa5a9790fcd4292dbd0e2d7b.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "a3190bce4687a16302b0794995ca8b982b33e214b0ba05c0869755b85a327f54";
+const char jaco2_kinematics_digest[] = "5a0eb30d5157f07bdd251eebb3641dbfe25c4b14aa5a9790fcd4292dbd0e2d7b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a3190bce4687a16302b0794995ca8b982b33e214b0ba05c0869755b85a327f54.
+Made from templates/kernel.py.j2; inputs 5a0eb30d5157f07bdd251eebb3641dbfe25c4b14aa5a9790fcd4292dbd0e2d7b.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d3fdf998802de6d58ddc01b73a5b0e8018a7e1f6790698b7fc3f8e2605414b0a.
+Made from templates/kernel.py.j2; inputs 09cbb49c87cbdfe1b19434de73b0f09f3e2cb35e084ba23386d0df32545e4ef1.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

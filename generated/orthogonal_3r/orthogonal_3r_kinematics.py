@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b8bbc8f2754690ede57dace505dd866cbdbf1f6d608196e96d62b7c5da9c354b.
+Made from templates/kernel.py.j2; inputs 53c570449342b9c7345267809292121ff668244298ff6a04fdf977a374c77a33.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

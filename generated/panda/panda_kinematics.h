@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 31673d654ebdc40846d1e91b9f6f896b96510da901415880ae6ffe87b63d413b.
+ * Made from templates/kernel.h.j2; inputs 7d5fba6adffb7a423c96e9b7c4907615c782a04a6fcc77d81a009c5740605109.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 31673d654ebdc40846d1e91b9f6f896b96510da901415880ae6ffe87b63d413b.
+Made from templates/kernel.py.j2; inputs 7d5fba6adffb7a423c96e9b7c4907615c782a04a6fcc77d81a009c5740605109.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 30531acd11523bf0691ffe6be24d1ea04988bc283213fa62bd62c6cec093ec8e.
+ * Made from templates/kernel.c.j2; inputs 88a32b31090e01dee2dea518f6afa77160591d78314cd526ad4576e864359a0e.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "30531acd11523bf0691ffe6be24d1ea04988bc283213fa62bd62c6cec093ec8e";
+const char panda_position_digest[] = "88a32b31090e01dee2dea518f6afa77160591d78314cd526ad4576e864359a0e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 30531acd11523bf0691ffe6be24d1ea04988bc283213fa62bd62c6cec093ec8e.
+ * Made from templates/kernel.h.j2; inputs 88a32b31090e01dee2dea518f6afa77160591d78314cd526ad4576e864359a0e.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

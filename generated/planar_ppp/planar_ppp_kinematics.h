@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 380d340aaadd7b4e8b3b7188d805e64bbf777fffdfed47a834fc04ca28d16e94.
+ * Made from templates/kernel.h.j2; inputs 29e1195709f7807bd83203d17ad18f0468967960751db8bcfae66cbb7ad84bad.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 380d340aaadd7b4e8b3b7188d805e64bbf777fffdfed47a834fc04ca28d16e94.
+Made from templates/kernel.py.j2; inputs 29e1195709f7807bd83203d17ad18f0468967960751db8bcfae66cbb7ad84bad.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 576047324d9115c29e7af7473db9717c0475f0783336c7a42d46b8aaf5e56468.
+ * Made from templates/kernel.c.j2; inputs 9acedafa334db5c36932cda65b41bfd6d4ac8260b00c3534f38d0666f8e20835.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "576047324d9115c29e7af7473db9717c0475f0783336c7a42d46b8aaf5e56468";
+const char planar_ppp_motion_digest[] = "9acedafa334db5c36932cda65b41bfd6d4ac8260b00c3534f38d0666f8e20835";
 #endif
 
 #define LANES 64

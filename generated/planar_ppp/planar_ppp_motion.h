@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 576047324d9115c29e7af7473db9717c0475f0783336c7a42d46b8aaf5e56468.
+ * Made from templates/kernel.h.j2; inputs 9acedafa334db5c36932cda65b41bfd6d4ac8260b00c3534f38d0666f8e20835.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 077ed24b7b00614cbeb26790e0b2a8d1b444c23f22efce5117bb0b59b0edce6f.
- * 321 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 74ad5c6d3b4515eec6ec3f30d3079b7745dc3f2f41f9f89b0ec6b94ffd039101.
+ * 589 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "077ed24b7b00614cbeb26790e0b2a8d1b444c23f22efce5117bb0b59b0edce6f";
+const char planar_ppp_speed_ratio_digest[] = "74ad5c6d3b4515eec6ec3f30d3079b7745dc3f2f41f9f89b0ec6b94ffd039101";
 #endif
 
 #define LANES 64
@@ -210,9 +210,9 @@ void CHAINRULE_NAME(planar_ppp_speed_ratio_terms_3_batch)(ptrdiff_t count, char 
     chainrule_settle(streaming);
 }
 
-void CHAINRULE_NAME(planar_ppp_speed_ratio_rates)(const real *q, const real *parameters, const real *tangent, const real *curvature, real *rates, real *tracked, real *tracked_rate, real *parabola, real *discriminant, real *least, real *null)
+void CHAINRULE_NAME(planar_ppp_speed_ratio_rates)(const real *q, const real *parameters, const real *tangent, const real *curvature, const real *leading, real *rates, real *ratios, real *tracked, real *tracked_rate, real *verdict, real *parabola, real *slack, real *least, real *null)
 {
-    planar_ppp_speed_ratio_rates_one(q, parameters, tangent, curvature, rates, tracked, tracked_rate, parabola, discriminant, least, null);
+    planar_ppp_speed_ratio_rates_one(q, parameters, tangent, curvature, leading, rates, ratios, tracked, tracked_rate, verdict, parabola, slack, least, null);
 }
 
 void CHAINRULE_NAME(planar_ppp_speed_ratio_rates_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
@@ -221,46 +221,56 @@ void CHAINRULE_NAME(planar_ppp_speed_ratio_rates_batch)(ptrdiff_t count, char *c
     real parameters[6 * 64];
     real tangent[2 * 64];
     real curvature[2 * 64];
+    real leading[3 * 64];
     real rates[6 * 64];
+    real ratios[4 * 64];
     real tracked[2 * 64];
     real tracked_rate[2 * 64];
+    real verdict[5 * 64];
     real parabola[3 * 64];
-    real discriminant[1 * 64];
+    real slack[1 * 64];
     real least[3 * 64];
     real null[3 * 64];
-    const int streaming = chainrule_streams(count, 20);
+    const int streaming = chainrule_streams(count, 29);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 64);
         if (taken == 1) {
-            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[11], steps[11]);
-            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[12], steps[12]);
-            chainrule_gather(tangent, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[13], steps[13]);
-            chainrule_gather(curvature, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[14], steps[14]);
-            planar_ppp_speed_ratio_rates_one(q, parameters, tangent, curvature, rates, tracked, tracked_rate, parabola, discriminant, least, null);
-            chainrule_scatter(rates, 1, 1, args[4] + start * steps[4], steps[4], 2, 3, steps[15], steps[16], 0);
-            chainrule_scatter(tracked, 1, 1, args[5] + start * steps[5], steps[5], 1, 2, 2 * steps[17], steps[17], 0);
-            chainrule_scatter(tracked_rate, 1, 1, args[6] + start * steps[6], steps[6], 1, 2, 2 * steps[18], steps[18], 0);
-            chainrule_scatter(parabola, 1, 1, args[7] + start * steps[7], steps[7], 1, 3, 3 * steps[19], steps[19], 0);
-            chainrule_scatter(discriminant, 1, 1, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-            chainrule_scatter(least, 1, 1, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[20], steps[20], 0);
-            chainrule_scatter(null, 1, 1, args[10] + start * steps[10], steps[10], 1, 3, 3 * steps[21], steps[21], 0);
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[14], steps[14]);
+            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[15], steps[15]);
+            chainrule_gather(tangent, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[16], steps[16]);
+            chainrule_gather(curvature, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[17], steps[17]);
+            chainrule_gather(leading, 1, 1, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[18], steps[18]);
+            planar_ppp_speed_ratio_rates_one(q, parameters, tangent, curvature, leading, rates, ratios, tracked, tracked_rate, verdict, parabola, slack, least, null);
+            chainrule_scatter(rates, 1, 1, args[5] + start * steps[5], steps[5], 2, 3, steps[19], steps[20], 0);
+            chainrule_scatter(ratios, 1, 1, args[6] + start * steps[6], steps[6], 2, 2, steps[21], steps[22], 0);
+            chainrule_scatter(tracked, 1, 1, args[7] + start * steps[7], steps[7], 1, 2, 2 * steps[23], steps[23], 0);
+            chainrule_scatter(tracked_rate, 1, 1, args[8] + start * steps[8], steps[8], 1, 2, 2 * steps[24], steps[24], 0);
+            chainrule_scatter(verdict, 1, 1, args[9] + start * steps[9], steps[9], 1, 5, 5 * steps[25], steps[25], 0);
+            chainrule_scatter(parabola, 1, 1, args[10] + start * steps[10], steps[10], 1, 3, 3 * steps[26], steps[26], 0);
+            chainrule_scatter(slack, 1, 1, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(least, 1, 1, args[12] + start * steps[12], steps[12], 1, 3, 3 * steps[27], steps[27], 0);
+            chainrule_scatter(null, 1, 1, args[13] + start * steps[13], steps[13], 1, 3, 3 * steps[28], steps[28], 0);
         } else {
-            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[11], steps[11]);
+            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[14], steps[14]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[12], steps[12]);
+                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[15], steps[15]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
-                chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[13], steps[13]);
+                chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[16], steps[16]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
-                chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[14], steps[14]);
-            planar_ppp_speed_ratio_rates_tile(q, parameters, tangent, curvature, rates, tracked, tracked_rate, parabola, discriminant, least, null);
-            chainrule_scatter(rates, 64, taken, args[4] + start * steps[4], steps[4], 2, 3, steps[15], steps[16], streaming);
-            chainrule_scatter(tracked, 64, taken, args[5] + start * steps[5], steps[5], 1, 2, 2 * steps[17], steps[17], streaming);
-            chainrule_scatter(tracked_rate, 64, taken, args[6] + start * steps[6], steps[6], 1, 2, 2 * steps[18], steps[18], streaming);
-            chainrule_scatter(parabola, 64, taken, args[7] + start * steps[7], steps[7], 1, 3, 3 * steps[19], steps[19], streaming);
-            chainrule_scatter(discriminant, 64, taken, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(least, 64, taken, args[9] + start * steps[9], steps[9], 1, 3, 3 * steps[20], steps[20], streaming);
-            chainrule_scatter(null, 64, taken, args[10] + start * steps[10], steps[10], 1, 3, 3 * steps[21], steps[21], streaming);
+                chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[17], steps[17]);
+            if (start == 0 || steps[4] != 0) /* the same for all: once */
+                chainrule_gather(leading, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[18], steps[18]);
+            planar_ppp_speed_ratio_rates_tile(q, parameters, tangent, curvature, leading, rates, ratios, tracked, tracked_rate, verdict, parabola, slack, least, null);
+            chainrule_scatter(rates, 64, taken, args[5] + start * steps[5], steps[5], 2, 3, steps[19], steps[20], streaming);
+            chainrule_scatter(ratios, 64, taken, args[6] + start * steps[6], steps[6], 2, 2, steps[21], steps[22], streaming);
+            chainrule_scatter(tracked, 64, taken, args[7] + start * steps[7], steps[7], 1, 2, 2 * steps[23], steps[23], streaming);
+            chainrule_scatter(tracked_rate, 64, taken, args[8] + start * steps[8], steps[8], 1, 2, 2 * steps[24], steps[24], streaming);
+            chainrule_scatter(verdict, 64, taken, args[9] + start * steps[9], steps[9], 1, 5, 5 * steps[25], steps[25], streaming);
+            chainrule_scatter(parabola, 64, taken, args[10] + start * steps[10], steps[10], 1, 3, 3 * steps[26], steps[26], streaming);
+            chainrule_scatter(slack, 64, taken, args[11] + start * steps[11], steps[11], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(least, 64, taken, args[12] + start * steps[12], steps[12], 1, 3, 3 * steps[27], steps[27], streaming);
+            chainrule_scatter(null, 64, taken, args[13] + start * steps[13], steps[13], 1, 3, 3 * steps[28], steps[28], streaming);
         }
     }
     chainrule_settle(streaming);

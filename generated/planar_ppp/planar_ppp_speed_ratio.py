@@ -1,7 +1,7 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 077ed24b7b00614cbeb26790e0b2a8d1b444c23f22efce5117bb0b59b0edce6f.
-321 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 74ad5c6d3b4515eec6ec3f30d3079b7745dc3f2f41f9f89b0ec6b94ffd039101.
+589 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 81 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 116 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -46,6 +46,12 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     cos_heading3 = np.cos(heading3)
     sin_heading3 = np.sin(heading3)
     kappa = curvature[..., 0]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
 
     # terms
     t1 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
@@ -67,8 +73,19 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t17 = t3 * t14 + t9 * t16
     t18 = t6 * t14 + t11 * t16
     t19 = t8 * t8 + t15 * t15
-    t20 = t9 + np.where(t7 != 0.0, -(t11 * (t3 / t6)), 0.0)
-    t21 = t15 + np.where(t7 != 0.0, -(t11 * (t8 / t6)), 0.0)
+    t20 = l1 + q1
+    t21 = l2 + q2
+    t22 = l3 + q3
+    t23 = np.sqrt((3.0 + t20 * t20 + t21 * t21 + t22 * t22))
+    t24 = 1.4210854715202004e-14 * t23
+    t25 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign(t7, 1.0))
+    t26 = 1.0 - t25
+    t27 = t9 * t26 + t11 * t25
+    t28 = t3 * t26 + t6 * t25
+    t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
+    t30 = t29 / (1.0 - t28 * t29 - t29)
+    t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t3 * t25 + t6 * t26))
+    t32 = t15 + t27 * (t8 * t30)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -101,9 +118,9 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t17
     B1[..., 4] = t18
     B1[..., 5] = t19
-    a[..., 0] = t20 * t20
-    a[..., 1] = (t20 + t20) * t21
-    a[..., 2] = t21 * t21
+    a[..., 0] = t31 * t31
+    a[..., 1] = (t31 + t31) * t32
+    a[..., 2] = t32 * t32
     b[..., 0] = 0.0
     b[..., 1] = 0.0
     b[..., 2] = 0.0
@@ -114,7 +131,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 81 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 116 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -150,6 +167,12 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     cos_heading2 = np.cos(heading2)
     sin_heading3 = np.sin(heading3)
     kappa = curvature[..., 0]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
 
     # terms
     t1 = sin_heading1 * tx - cos_heading1 * ty
@@ -171,8 +194,19 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t17 = t8 * t13 + t14 * t16
     t18 = t6 * (t8 + t8) + t11 * (t16 + t16)
     t19 = t8 * t8 + t16 * t16
-    t20 = t9 + np.where(t7 != 0.0, -(t11 * (t1 / t6)), 0.0)
-    t21 = t16 + np.where(t7 != 0.0, -(t11 * (t8 / t6)), 0.0)
+    t20 = l1 + q1
+    t21 = l2 + q2
+    t22 = l3 + q3
+    t23 = np.sqrt((3.0 + t20 * t20 + t21 * t21 + t22 * t22))
+    t24 = 1.4210854715202004e-14 * t23
+    t25 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign(t7, 1.0))
+    t26 = 1.0 - t25
+    t27 = t9 * t26 + t11 * t25
+    t28 = t1 * t26 + t6 * t25
+    t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
+    t30 = t29 / (1.0 - t28 * t29 - t29)
+    t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t1 * t25 + t6 * t26))
+    t32 = t16 + t27 * (t8 * t30)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -205,9 +239,9 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t17
     B1[..., 4] = t18
     B1[..., 5] = t19
-    a[..., 0] = t20 * t20
-    a[..., 1] = (t20 + t20) * t21
-    a[..., 2] = t21 * t21
+    a[..., 0] = t31 * t31
+    a[..., 1] = (t31 + t31) * t32
+    a[..., 2] = t32 * t32
     b[..., 0] = 0.0
     b[..., 1] = 0.0
     b[..., 2] = 0.0
@@ -218,7 +252,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 81 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 116 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -254,6 +288,12 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     cos_heading3 = np.cos(heading3)
     sin_heading3 = np.sin(heading3)
     kappa = curvature[..., 0]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
 
     # terms
     t1 = sin_heading1 * tx - cos_heading1 * ty
@@ -275,8 +315,19 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t17 = t8 * t13 + t14 * t16
     t18 = t8 * (t4 + t4) + t16 * (t11 + t11)
     t19 = t8 * t8 + t16 * t16
-    t20 = t9 + np.where(t5 != 0.0, -(t11 * (t1 / t4)), 0.0)
-    t21 = t16 + np.where(t5 != 0.0, -(t11 * (t8 / t4)), 0.0)
+    t20 = l1 + q1
+    t21 = l2 + q2
+    t22 = l3 + q3
+    t23 = np.sqrt((3.0 + t20 * t20 + t21 * t21 + t22 * t22))
+    t24 = 1.4210854715202004e-14 * t23
+    t25 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign(t5, 1.0))
+    t26 = 1.0 - t25
+    t27 = t9 * t26 + t11 * t25
+    t28 = t1 * t26 + t4 * t25
+    t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
+    t30 = t29 / (1.0 - t28 * t29 - t29)
+    t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t1 * t25 + t4 * t26))
+    t32 = t16 + t27 * (t8 * t30)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -309,9 +360,9 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t17
     B1[..., 4] = t18
     B1[..., 5] = t19
-    a[..., 0] = t20 * t20
-    a[..., 1] = (t20 + t20) * t21
-    a[..., 2] = t21 * t21
+    a[..., 0] = t31 * t31
+    a[..., 1] = (t31 + t31) * t32
+    a[..., 2] = t32 * t32
     b[..., 0] = 0.0
     b[..., 1] = 0.0
     b[..., 2] = 0.0
@@ -321,18 +372,21 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 78 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 241 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -340,70 +394,135 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    heading3 = parameters[..., 5]
-    cos_heading3 = np.cos(heading3)
     heading1 = parameters[..., 3]
+    sin_heading1 = np.sin(heading1)
+    tx = tangent[..., 0]
+    ty = tangent[..., 1]
     cos_heading1 = np.cos(heading1)
     heading2 = parameters[..., 4]
     sin_heading2 = np.sin(heading2)
     cos_heading2 = np.cos(heading2)
-    sin_heading1 = np.sin(heading1)
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
     sin_heading3 = np.sin(heading3)
-    tx = tangent[..., 0]
-    ty = tangent[..., 1]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
+    l3 = parameters[..., 2]
+    q3 = q[..., 2]
+    kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
 
     # terms
-    t1 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
-    t2 = cos_heading1 * cos_heading2 - sin_heading2 * sin_heading1
-    t3 = cos_heading3 * t1 + t2 * sin_heading3
-    t4 = cos_heading3 * t2 - t1 * sin_heading3
-    t5 = t3 * tx - t4 * ty
-    t6 = t2 * tx + t1 * ty
-    t7 = t1 * tx - t2 * ty
-    t8 = tx * t4 + t3 * ty
-    t9 = t5 * t6 - t7 * t8
-    t10 = sin_heading1 * tx - cos_heading1 * ty
-    t11 = cos_heading1 * tx + sin_heading1 * ty
-    t12 = t8 * t10 - t5 * t11
-    t13 = t7 * t11 - t6 * t10
-    t14 = np.sqrt((t9 * t9 + t12 * t12 + t13 * t13))
-    t15 = t13 / t14
-    t16 = t12 / t14
-    t17 = np.where(t14 != 0.0, (np.where(t14 != 0.0, t7 * t15, 0.0) - np.where(t14 != 0.0, t5 * t16, 0.0)) / t14, 0.0)
-    t18 = t9 / t14
-    t19 = np.where(t14 != 0.0, (np.where(t14 != 0.0, t5 * t18, 0.0) - np.where(t14 != 0.0, t10 * t15, 0.0)) / t14, 0.0)
-    t20 = np.where(t14 != 0.0, (np.where(t14 != 0.0, t10 * t16, 0.0) - np.where(t14 != 0.0, t7 * t18, 0.0)) / t14, 0.0)
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
+    t6 = t3 / t4
+    t7 = sin_heading1 * t5 - cos_heading1 * t6
+    t8 = cos_heading1 * sin_heading2 + sin_heading1 * cos_heading2
+    t9 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t10 = t5 * t8 - t6 * t9
+    t11 = t8 * cos_heading3 + t9 * sin_heading3
+    t12 = t9 * cos_heading3 - t8 * sin_heading3
+    t13 = t5 * t11 - t6 * t12
+    t14 = t5 * cos_heading1 + sin_heading1 * t6
+    t15 = t7 * t7 + t10 * t10 + t13 * t13 + t14 * t14
+    t16 = t5 * t9 + t6 * t8
+    t17 = t5 * t12 + t6 * t11
+    t18 = np.sqrt((t15 + t16 * t16 + t17 * t17))
+    t19 = l1 + q1
+    t20 = l2 + q2
+    t21 = l3 + q3
+    t22 = 3.0 + t19 * t19 + t20 * t20 + t21 * t21
+    t23 = t13 * t16 - t10 * t17
+    t24 = t7 * t17 - t13 * t14
+    t25 = t10 * t14 - t7 * t16
+    t26 = np.sqrt((t23 * t23 + t24 * t24 + t25 * t25))
+    t27 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t18 * np.sqrt(t22) - np.copysign(t26, 1.0))
+    t28 = 0.5 - t27
+    t29 = t28 / (1.0 + t26 * t28 - t28)
+    t30 = t25 * t29
+    t31 = t24 * t29
+    t32 = t29 * (t10 * t30 - t13 * t31)
+    t33 = t23 * t29
+    t34 = t29 * (t13 * t33 - t7 * t30)
+    t35 = t29 * (t7 * t31 - t10 * t33)
+    t36 = t32 * t32 + t34 * t34 + t35 * t35
+    t37 = np.sqrt(t36)
+    t38 = t22 * (t18 * (1.4210854715202004e-14 * t29))
+    t39 = 0.5 - 0.5 * np.copysign(1.0, (t37 + t37) * t38)
+    t40 = 0.5 - 0.5 * np.copysign(1.0, t38)
+    t41 = 1.0 - t40
+    t42 = t39 * t41
+    t43 = np.copysign((-kappa), 1.0)
+    t44 = t40 * (0.5 - 0.5 * np.copysign(1.0, 4.0 * t38 * t43))
+    t45 = 1.0 - t44
+    t46 = kappa * t42 / (1.0 - t42) * t45 - kappa * t44 / t45
+    t47 = t28 * (t32 + t33 * t46)
+    t48 = t28 * (t34 + t31 * t46)
+    t49 = t28 * (t35 + t30 * t46)
+    t50 = t28 * t44
+    t51 = t32 * t50
+    t52 = t34 * t50
+    t53 = t35 * t50
+    t54 = t47 * leads1 + t48 * leads2 + t49 * leads3
+    t55 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t47, 1.0), np.copysign(t48, 1.0)), np.copysign(t49, 1.0)) - np.copysign(t54, 1.0)
+    t56 = 0.5 - 0.5 * np.copysign(1.0, t55)
+    t57 = t56 / (1.0 + t54 * t56 - t56)
+    t58 = t51 * leads1 + t52 * leads2 + t53 * leads3
+    t59 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t51, 1.0), np.copysign(t52, 1.0)), np.copysign(t53, 1.0)) - np.copysign(t58, 1.0)
+    t60 = 0.5 - 0.5 * np.copysign(1.0, t59)
+    t61 = t60 / (1.0 + t58 * t60 - t60)
+    t62 = 4.0 + t28 * (t40 * t44 + t41 * (2.0 + t39)) - 4.0 * t28
+    t63 = t41 * (1.0 - t39) * (0.5 + 0.5 * np.copysign(1.0, t36 * t38 - t43))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t17
-    rates[..., 1] = t19
-    rates[..., 2] = t20
-    rates[..., 3] = t17
-    rates[..., 4] = t19
-    rates[..., 5] = t20
+    rates[..., 0] = t47
+    rates[..., 1] = t48
+    rates[..., 2] = t49
+    rates[..., 3] = t51
+    rates[..., 4] = t52
+    rates[..., 5] = t53
+    ratios[..., 0] = t57 * (t47 + leads1 * (t48 - t47))
+    ratios[..., 1] = t57 * (t49 + leads3 * (t48 - t49))
+    ratios[..., 2] = t61 * (t51 + leads1 * (t52 - t51))
+    ratios[..., 3] = t61 * (t53 + leads3 * (t52 - t53))
     tracked[..., 0] = 0.0
     tracked[..., 1] = 0.0
     tracked_rate[..., 0] = 0.0
     tracked_rate[..., 1] = 0.0
+    verdict[..., 0] = t62
+    verdict[..., 1] = t28 * (1.0 + t44)
+    verdict[..., 2] = 0.0
+    verdict[..., 3] = t28 * (t42 + t40 * t45 + t63)
+    verdict[..., 4] = t50 * (1.0 - t60) + t28 * (1.0 - t56)
     parabola[..., 0] = 0.0
     parabola[..., 1] = 0.0
     parabola[..., 2] = 0.0
-    discriminant[..., 0] = 0.0
-    least[..., 0] = t17
-    least[..., 1] = t19
-    least[..., 2] = t20
-    null[..., 0] = np.where(t14 != 0.0, t18, 0.0)
-    null[..., 1] = np.where(t14 != 0.0, t16, 0.0)
-    null[..., 2] = np.where(t14 != 0.0, t15, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    slack[..., 0] = 0.0
+    least[..., 0] = t32
+    least[..., 1] = t34
+    least[..., 2] = t35
+    null[..., 0] = t33
+    null[..., 1] = t31
+    null[..., 2] = t30
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

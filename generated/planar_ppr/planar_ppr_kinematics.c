@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs fe6ed813a3ced0d45c3f1ea9bb5289f8274cddb2fcc3abf3b72391962c06a3b7.
+ * Made from templates/kernel.c.j2; inputs 212a166d07bdbf9272d953858f6facf1da5c872d3aff6aed01d87d020d799f73.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "fe6ed813a3ced0d45c3f1ea9bb5289f8274cddb2fcc3abf3b72391962c06a3b7";
+const char planar_ppr_kinematics_digest[] = "212a166d07bdbf9272d953858f6facf1da5c872d3aff6aed01d87d020d799f73";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fe6ed813a3ced0d45c3f1ea9bb5289f8274cddb2fcc3abf3b72391962c06a3b7.
+Made from templates/kernel.py.j2; inputs 212a166d07bdbf9272d953858f6facf1da5c872d3aff6aed01d87d020d799f73.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs f2d9fb684bf3ff9f4c15d4f18a1c6be992745af4a72f48c51f558f2d7c40a193.
+ * Made from templates/kernel.c.j2; inputs 79c97da4e5401086c7b1b75906d2c387ccbb62b8c034b56f8bf2ff1bb4f69b84.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "f2d9fb684bf3ff9f4c15d4f18a1c6be992745af4a72f48c51f558f2d7c40a193";
+const char planar_ppr_motion_digest[] = "79c97da4e5401086c7b1b75906d2c387ccbb62b8c034b56f8bf2ff1bb4f69b84";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 883b0d10b24e51ade779c493fe6fdfbd084630363fb9348b4604ad8f596d9455.
-553 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs fefc760f76da20fd3eff38696e4c280263624ee2a6765cb1b8f1705b60e455fe.
+763 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 121 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 146 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading2)
@@ -47,6 +47,10 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     s3 = np.sin(q3)
     l3 = parameters[..., 2]
     kappa = curvature[..., 0]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
 
     # terms
     t1 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
@@ -71,22 +75,29 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t20 = t3 * t17 + t11 * t19
     t21 = t8 * t17 + t14 * t19
     t22 = t10 * t10 + t18 * t18
-    t23 = t3 / t8
-    t24 = t11 + np.where(t9 != 0.0, -(t14 * t23), 0.0)
-    t25 = t24 * t24
-    t26 = t10 / t8
-    t27 = t18 + np.where(t9 != 0.0, -(t14 * t26), 0.0)
-    t28 = (t24 + t24) * t27
-    t29 = t27 * t27
-    t30 = np.where(t9 != 0.0, -t23, 0.0)
-    t31 = t13 * (t30 * t30)
-    t32 = t23 * (t26 * (t13 + t13))
-    t33 = np.where(t9 != 0.0, np.where(t9 != 0.0, -t32, 0.0), 0.0)
-    t34 = np.where(t9 != 0.0, -t26, 0.0)
-    t35 = t13 * (t34 * t34)
-    t36 = np.where(t9 != 0.0, np.where(t9 != 0.0, -(t32 * (t28 + t28)), 0.0), 0.0) + t35 * (4.0 * t25)
-    t37 = t36 + t31 * (4.0 * t29)
-    t38 = t33 * t33 - t35 * (4.0 * t31)
+    t23 = l1 + q1
+    t24 = l2 + q2
+    t25 = np.sqrt((2.0 + t23 * t23 + t24 * t24 + l3 * l3))
+    t26 = 1.4210854715202004e-14 * t25
+    t27 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign(t9, 1.0))
+    t28 = 1.0 - t27
+    t29 = t11 * t28 + t14 * t27
+    t30 = t3 * t28 + t8 * t27
+    t31 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign((-t30), 1.0))
+    t32 = t31 / (1.0 - t30 * t31 - t31)
+    t33 = t32 * (t3 * t27 + t8 * t28)
+    t34 = t11 * t27 + t14 * t28 + t29 * t33
+    t35 = t34 * t34
+    t36 = t10 * t32
+    t37 = t18 + t29 * t36
+    t38 = (t34 + t34) * t37
+    t39 = t37 * t37
+    t40 = t13 * t27
+    t41 = t13 * t28 + t40 * (t33 * t33)
+    t42 = t33 * (t36 * (t40 + t40))
+    t43 = t40 * (t36 * t36)
+    t44 = t42 * (t38 + t38) - t43 * (4.0 * t35) - t41 * (4.0 * t39)
+    t45 = t42 * t42 - t43 * (4.0 * t41)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -119,20 +130,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t20
     B1[..., 4] = t21
     B1[..., 5] = t22
-    a[..., 0] = t25
-    a[..., 1] = t28
-    a[..., 2] = t29
-    b[..., 0] = t31
-    b[..., 1] = -t33
-    b[..., 2] = t35
-    C[..., 0] = -t37
-    D[..., 0] = t38
-    discriminant[..., 0] = t38 - kappa * t37
+    a[..., 0] = t35
+    a[..., 1] = t38
+    a[..., 2] = t39
+    b[..., 0] = t41
+    b[..., 1] = t42
+    b[..., 2] = t43
+    C[..., 0] = t44
+    D[..., 0] = t45
+    discriminant[..., 0] = t45 + kappa * t44
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 121 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 146 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading2)
@@ -169,6 +180,10 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     s3 = np.sin(q3)
     l3 = parameters[..., 2]
     kappa = curvature[..., 0]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
 
     # terms
     t1 = sin_heading1 * tx - cos_heading1 * ty
@@ -193,22 +208,29 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t20 = t10 * t16 + t17 * t19
     t21 = t8 * (t10 + t10) + t14 * (t19 + t19)
     t22 = t10 * t10 + t19 * t19
-    t23 = t1 / t8
-    t24 = t11 + np.where(t9 != 0.0, -(t14 * t23), 0.0)
-    t25 = t24 * t24
-    t26 = t10 / t8
-    t27 = t19 + np.where(t9 != 0.0, -(t14 * t26), 0.0)
-    t28 = (t24 + t24) * t27
-    t29 = t27 * t27
-    t30 = np.where(t9 != 0.0, -t23, 0.0)
-    t31 = t13 * (t30 * t30)
-    t32 = t23 * (t26 * (t13 + t13))
-    t33 = np.where(t9 != 0.0, np.where(t9 != 0.0, -t32, 0.0), 0.0)
-    t34 = np.where(t9 != 0.0, -t26, 0.0)
-    t35 = t13 * (t34 * t34)
-    t36 = np.where(t9 != 0.0, np.where(t9 != 0.0, -(t32 * (t28 + t28)), 0.0), 0.0) + t35 * (4.0 * t25)
-    t37 = t36 + t31 * (4.0 * t29)
-    t38 = t33 * t33 - t35 * (4.0 * t31)
+    t23 = l1 + q1
+    t24 = l2 + q2
+    t25 = np.sqrt((2.0 + t23 * t23 + t24 * t24 + l3 * l3))
+    t26 = 1.4210854715202004e-14 * t25
+    t27 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign(t9, 1.0))
+    t28 = 1.0 - t27
+    t29 = t11 * t28 + t14 * t27
+    t30 = t1 * t28 + t8 * t27
+    t31 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign((-t30), 1.0))
+    t32 = t31 / (1.0 - t30 * t31 - t31)
+    t33 = t32 * (t1 * t27 + t8 * t28)
+    t34 = t11 * t27 + t14 * t28 + t29 * t33
+    t35 = t34 * t34
+    t36 = t10 * t32
+    t37 = t19 + t29 * t36
+    t38 = (t34 + t34) * t37
+    t39 = t37 * t37
+    t40 = t13 * t27
+    t41 = t13 * t28 + t40 * (t33 * t33)
+    t42 = t33 * (t36 * (t40 + t40))
+    t43 = t40 * (t36 * t36)
+    t44 = t42 * (t38 + t38) - t43 * (4.0 * t35) - t41 * (4.0 * t39)
+    t45 = t42 * t42 - t43 * (4.0 * t41)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -241,20 +263,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t20
     B1[..., 4] = t21
     B1[..., 5] = t22
-    a[..., 0] = t25
-    a[..., 1] = t28
-    a[..., 2] = t29
-    b[..., 0] = t31
-    b[..., 1] = -t33
-    b[..., 2] = t35
-    C[..., 0] = -t37
-    D[..., 0] = t38
-    discriminant[..., 0] = t38 - kappa * t37
+    a[..., 0] = t35
+    a[..., 1] = t38
+    a[..., 2] = t39
+    b[..., 0] = t41
+    b[..., 1] = t42
+    b[..., 2] = t43
+    C[..., 0] = t44
+    D[..., 0] = t45
+    discriminant[..., 0] = t45 + kappa * t44
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 91 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 125 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading2)
@@ -291,6 +313,10 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     s3 = np.sin(q3)
     l3 = parameters[..., 2]
     kappa = curvature[..., 0]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
 
     # terms
     t1 = sin_heading1 * tx - cos_heading1 * ty
@@ -315,10 +341,20 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t20 = t10 * (t4 + t4) + t18 * (t13 + t13)
     t21 = l3 * (tx * t8 - ty * t6)
     t22 = t10 * t10 + t18 * t18
-    t23 = t11 + np.where(t5 != 0.0, -(t13 * (t1 / t4)), 0.0)
-    t24 = t23 * t23
-    t25 = t18 + np.where(t5 != 0.0, -(t13 * (t10 / t4)), 0.0)
-    t26 = t24 * (-4.0 * t21)
+    t23 = l1 + q1
+    t24 = l2 + q2
+    t25 = np.sqrt((2.0 + t23 * t23 + t24 * t24 + l3 * l3))
+    t26 = 1.4210854715202004e-14 * t25
+    t27 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign(t5, 1.0))
+    t28 = 1.0 - t27
+    t29 = t11 * t28 + t13 * t27
+    t30 = t1 * t28 + t4 * t27
+    t31 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign((-t30), 1.0))
+    t32 = t31 / (1.0 - t30 * t31 - t31)
+    t33 = t11 * t27 + t13 * t28 + t29 * (t32 * (t1 * t27 + t4 * t28))
+    t34 = t33 * t33
+    t35 = t18 + t29 * (t10 * t32)
+    t36 = t34 * (-4.0 * t21)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -351,30 +387,33 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t19
     B1[..., 4] = t20
     B1[..., 5] = t22
-    a[..., 0] = t24
-    a[..., 1] = (t23 + t23) * t25
-    a[..., 2] = t25 * t25
+    a[..., 0] = t34
+    a[..., 1] = (t33 + t33) * t35
+    a[..., 2] = t35 * t35
     b[..., 0] = 0.0
     b[..., 1] = 0.0
     b[..., 2] = t21
-    C[..., 0] = t26
+    C[..., 0] = t36
     D[..., 0] = 0.0
-    discriminant[..., 0] = kappa * t26
+    discriminant[..., 0] = kappa * t36
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 220 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 346 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading2)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -382,110 +421,165 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    q3 = q[..., 2]
-    c3 = np.cos(q3)
     heading1 = parameters[..., 3]
-    cos_heading1 = np.cos(heading1)
-    heading2 = parameters[..., 4]
-    cos_heading2 = np.cos(heading2)
     sin_heading1 = np.sin(heading1)
-    sin_heading2 = np.sin(heading2)
-    s3 = np.sin(q3)
-    l3 = parameters[..., 2]
     tx = tangent[..., 0]
     ty = tangent[..., 1]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    sin_heading2 = np.sin(heading2)
+    cos_heading2 = np.cos(heading2)
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
+    l1 = parameters[..., 0]
+    q1 = q[..., 0]
+    l2 = parameters[..., 1]
+    q2 = q[..., 1]
     kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
+    kappa_s = curvature[..., 1]
 
     # terms
-    t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
-    t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
-    t3 = c3 * t1 - t2 * s3
-    t4 = t3 * l3
-    t5 = c3 * t2 + t1 * s3
-    t6 = l3 * t5
-    t7 = t4 * tx + t6 * ty
-    t8 = t1 * tx + t2 * ty
-    t9 = t2 * tx - t1 * ty
-    t10 = t4 * ty - tx * t6
-    t11 = t7 * t8 - t9 * t10
-    t12 = sin_heading1 * tx - cos_heading1 * ty
-    t13 = cos_heading1 * tx + sin_heading1 * ty
-    t14 = t10 * t12 - t7 * t13
-    t15 = t9 * t13 - t8 * t12
-    t16 = np.sqrt((t11 * t11 + t14 * t14 + t15 * t15))
-    t17 = tx * t5 - t3 * ty
-    t18 = l3 * t17
-    t19 = t15 / t16
-    t20 = t18 * (t19 * t19)
-    t21 = np.where(t16 != 0.0, np.where(t16 != 0.0, t20, 0.0), 0.0)
-    t22 = -t21
-    t23 = np.where(t22 != 0.0, 1.0, 0.0)
-    t24 = t14 / t16
-    t25 = t11 / t16
-    t26 = (np.where(t16 != 0.0, t12 * t24, 0.0) - np.where(t16 != 0.0, t9 * t25, 0.0)) / t16
-    t27 = t19 * (l3 * (-2.0 * t17) * t26)
-    t28 = np.where(t16 != 0.0, np.where(t16 != 0.0, t27, 0.0), 0.0)
-    t29 = t23 + np.where((1.0 - t23) != 0.0, 1.0 - np.where(t28 != 0.0, 1.0, 0.0), 0.0)
-    t30 = (np.where(t16 != 0.0, t9 * t19, 0.0) - np.where(t16 != 0.0, t7 * t24, 0.0)) / t16
-    t31 = np.where(t16 != 0.0, t30, 0.0)
-    t32 = np.where(t16 != 0.0, np.where(t16 != 0.0, t18 * (t26 * t26), 0.0), 0.0)
-    t33 = t32 + kappa
-    t34 = np.where(t16 != 0.0, np.where(t16 != 0.0, np.where(t16 != 0.0, np.where(t16 != 0.0, t27 * t27, 0.0), 0.0), 0.0), 0.0) - np.where(t16 != 0.0, np.where(t16 != 0.0, t20 * (4.0 * t33), 0.0), 0.0)
-    t35 = np.sqrt(np.maximum(0.0, t34))
-    t36 = np.where(t16 != 0.0, np.where(t16 != 0.0, -0.5 * t27, 0.0), 0.0) - 0.5 * np.copysign(t35, t28)
-    t37 = t36 / t21
-    t38 = (np.where(t16 != 0.0, t7 * t25, 0.0) - np.where(t16 != 0.0, t12 * t19, 0.0)) / t16
-    t39 = np.where(t16 != 0.0, t38, 0.0)
-    t40 = np.where(t16 != 0.0, t26, 0.0)
-    t41 = t40 + np.where(t22 != 0.0, np.where(t16 != 0.0, -(t19 * t37), 0.0), 0.0)
-    t42 = np.where(t35 != 0.0, 1.0, 0.0)
-    t43 = 1.0 - t42
-    t44 = t42 + np.where(t43 != 0.0, t29, 0.0)
-    t45 = np.where(t42 != 0.0, np.where(t36 != 0.0, -(t33 / t36), 0.0), 0.0) + np.where(t43 != 0.0, np.where(t22 != 0.0, -t37, 0.0), 0.0)
-    t46 = t26 + t19 * t45
-    t47 = t41 * t41
-    t48 = t18 * t47
-    t49 = t46 * t46
-    t50 = t18 * t49
-    t51 = t3 * tx + t5 * ty
-    t52 = 3.0 * t51
-    t53 = np.where(t29 != 0.0, -np.where(t29 != 0.0, np.where(t29 != 0.0, t47 * (l3 * (t48 * t52)), 0.0), 0.0), 0.0)
-    t54 = l3 * t51
-    t55 = np.where(t29 != 0.0, t53, 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, np.where(t29 != 0.0, t54 * (t41 * t47), 0.0), 0.0), 0.0)
-    t56 = np.where(t44 != 0.0, np.where(t16 != 0.0, np.where(t44 != 0.0, np.where(t16 != 0.0, t49 * (l3 * (t50 * t52)), 0.0), 0.0), 0.0), 0.0)
-    t57 = np.where(t16 != 0.0, np.where(t44 != 0.0, np.where(t16 != 0.0, np.where(t44 != 0.0, np.where(t16 != 0.0, t54 * (t46 * t49), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t58 = np.where(t44 != 0.0, np.where(t16 != 0.0, np.where(t44 != 0.0, np.where(t16 != 0.0, -t56, 0.0), 0.0), 0.0), 0.0) - np.where(t44 != 0.0, t57, 0.0)
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
+    t6 = t3 / t4
+    t7 = sin_heading1 * t5 - cos_heading1 * t6
+    t8 = cos_heading1 * sin_heading2 + sin_heading1 * cos_heading2
+    t9 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
+    t10 = t5 * t8 - t6 * t9
+    t11 = t9 * c3 - t8 * s3
+    t12 = t11 * l3
+    t13 = t8 * c3 + t9 * s3
+    t14 = l3 * t13
+    t15 = t5 * t12 + t6 * t14
+    t16 = t5 * cos_heading1 + sin_heading1 * t6
+    t17 = t7 * t7 + t10 * t10 + t15 * t15 + t16 * t16
+    t18 = t5 * t9 + t6 * t8
+    t19 = t6 * t12 - t5 * t14
+    t20 = np.sqrt((t17 + t18 * t18 + t19 * t19))
+    t21 = l1 + q1
+    t22 = l2 + q2
+    t23 = 2.0 + t21 * t21 + t22 * t22 + l3 * l3
+    t24 = t15 * t18 - t10 * t19
+    t25 = t7 * t19 - t15 * t16
+    t26 = t10 * t16 - t7 * t18
+    t27 = np.sqrt((t24 * t24 + t25 * t25 + t26 * t26))
+    t28 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t20 * np.sqrt(t23) - np.copysign(t27, 1.0))
+    t29 = 0.5 - t28
+    t30 = t29 / (1.0 + t27 * t29 - t29)
+    t31 = t26 * t30
+    t32 = t25 * t30
+    t33 = t30 * (t10 * t31 - t15 * t32)
+    t34 = t24 * t30
+    t35 = t23 * (t20 * (1.4210854715202004e-14 * t30))
+    t36 = t5 * t13 - t6 * t11
+    t37 = l3 * t36
+    t38 = t37 * (t31 * t31)
+    t39 = -t38
+    t40 = np.copysign(t39, 1.0)
+    t41 = 0.5 - 0.5 * np.copysign(1.0, t35 - t40)
+    t42 = t30 * (t15 * t34 - t7 * t31)
+    t43 = t30 * (t7 * t32 - t10 * t34)
+    t44 = t43 * t43
+    t45 = t33 * t33 + t42 * t42 + t44
+    t46 = np.sqrt(t45)
+    t47 = t35 * (t46 + t46)
+    t48 = t31 * (t43 * (l3 * (-2.0 * t36)))
+    t49 = np.copysign(t48, 1.0)
+    t50 = t35 * t45
+    t51 = t37 * t44
+    t52 = t51 + kappa
+    t53 = np.copysign((-t52), 1.0)
+    t54 = (t47 + t47) * t49 + t40 * (4.0 * t50) + 4.0 * t35 * t53
+    t55 = t48 * t48 - t38 * (4.0 * t52)
+    t56 = np.maximum(0.0, t55)
+    t57 = t41 * (0.5 - 0.5 * np.copysign(1.0, t54 - np.copysign(t56, 1.0)))
+    t58 = 0.5 - 0.5 * np.copysign(1.0, t47 - t49)
+    t59 = 1.0 - t41
+    t60 = t58 * t59
+    t61 = t52 * t60 / (1.0 + t48 * t60 - t60) - t41 * t48 / (1.0 - t38 * (t41 + t41) - t41)
+    t62 = t57 * (-0.5 * t48 - 0.5 * np.copysign(np.sqrt(t56), t48))
+    t63 = (1.0 - t57) * t61 - t52 * t57 / (1.0 + t62 - t57)
+    t64 = t29 * (t33 + t34 * t63)
+    t65 = t29 * (t42 + t32 * t63)
+    t66 = t29 * (t43 + t31 * t63)
+    t67 = t29 * t57
+    t68 = t62 / (1.0 - t38 * t57 - t57)
+    t69 = t67 * (t33 + t34 * t68)
+    t70 = t67 * (t42 + t32 * t68)
+    t71 = t67 * (t43 + t31 * t68)
+    t72 = t64 * leads1 + t65 * leads2 + t66 * leads3
+    t73 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t64, 1.0), np.copysign(t65, 1.0)), np.copysign(t66, 1.0)) - np.copysign(t72, 1.0)
+    t74 = 0.5 - 0.5 * np.copysign(1.0, t73)
+    t75 = t74 / (1.0 + t72 * t74 - t74)
+    t76 = t69 * leads1 + t70 * leads2 + t71 * leads3
+    t77 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t69, 1.0), np.copysign(t70, 1.0)), np.copysign(t71, 1.0)) - np.copysign(t76, 1.0)
+    t78 = 0.5 - 0.5 * np.copysign(1.0, t77)
+    t79 = t78 / (1.0 + t76 * t78 - t78)
+    t80 = t66 * t66
+    t81 = t37 * t80
+    t82 = t71 * t71
+    t83 = t37 * t82
+    t84 = t5 * t11 + t6 * t13
+    t85 = 3.0 * t84
+    t86 = l3 * t84
+    t87 = t80 * (l3 * (t81 * t85)) + t86 * (t66 * t80)
+    t88 = t82 * (l3 * (t83 * t85)) + t86 * (t71 * t82)
+    t89 = 0.5 - 0.5 * np.copysign(1.0, t54 - np.copysign(np.maximum(0.0, -t55), 1.0))
+    t90 = t41 * t89
+    t91 = 4.0 + t29 * (t41 * t90 + t59 * (2.0 + t58)) - 4.0 * t29
+    t92 = np.copysign((-(t88 + kappa_s)), 1.0) - np.copysign((-(t87 + kappa_s)), 1.0)
+    t93 = t59 * (1.0 - t58) * (0.5 + 0.5 * np.copysign(1.0, t50 - t53))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = np.where(t29 != 0.0, t31 + np.where(t22 != 0.0, np.where(t16 != 0.0, -(t25 * t37), 0.0), 0.0), 0.0)
-    rates[..., 1] = np.where(t29 != 0.0, t39 + np.where(t22 != 0.0, np.where(t16 != 0.0, -(t24 * t37), 0.0), 0.0), 0.0)
-    rates[..., 2] = np.where(t29 != 0.0, t41, 0.0)
-    rates[..., 3] = np.where(t44 != 0.0, np.where(t16 != 0.0, t30 + t25 * t45, 0.0), 0.0)
-    rates[..., 4] = np.where(t44 != 0.0, np.where(t16 != 0.0, t38 + t24 * t45, 0.0), 0.0)
-    rates[..., 5] = np.where(t44 != 0.0, np.where(t16 != 0.0, t46, 0.0), 0.0)
-    tracked[..., 0] = -np.where(t29 != 0.0, np.where(t29 != 0.0, t48, 0.0), 0.0)
-    tracked[..., 1] = -np.where(t44 != 0.0, np.where(t16 != 0.0, np.where(t44 != 0.0, np.where(t16 != 0.0, t50, 0.0), 0.0), 0.0), 0.0)
-    tracked_rate[..., 0] = t55
-    tracked_rate[..., 1] = t58
-    parabola[..., 0] = t22
-    parabola[..., 1] = t28
-    parabola[..., 2] = -t32
-    discriminant[..., 0] = t34
-    least[..., 0] = t31
-    least[..., 1] = t39
-    least[..., 2] = t40
-    null[..., 0] = np.where(t16 != 0.0, t25, 0.0)
-    null[..., 1] = np.where(t16 != 0.0, t24, 0.0)
-    null[..., 2] = np.where(t16 != 0.0, t19, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    rates[..., 0] = t64
+    rates[..., 1] = t65
+    rates[..., 2] = t66
+    rates[..., 3] = t69
+    rates[..., 4] = t70
+    rates[..., 5] = t71
+    ratios[..., 0] = t75 * (t64 + leads1 * (t65 - t64))
+    ratios[..., 1] = t75 * (t66 + leads3 * (t65 - t66))
+    ratios[..., 2] = t79 * (t69 + leads1 * (t70 - t69))
+    ratios[..., 3] = t79 * (t71 + leads3 * (t70 - t71))
+    tracked[..., 0] = -t81
+    tracked[..., 1] = -t83
+    tracked_rate[..., 0] = -t87
+    tracked_rate[..., 1] = -t88
+    verdict[..., 0] = t91
+    verdict[..., 1] = t29 * (1.0 + t57)
+    verdict[..., 2] = t57 * (0.5 * t29) * (1.0 - np.copysign(1.0, t92))
+    verdict[..., 3] = t29 * (t60 + t41 * (1.0 - t90) + t93)
+    verdict[..., 4] = t67 * (1.0 - t78) + t29 * (1.0 - t74)
+    parabola[..., 0] = t39
+    parabola[..., 1] = t48
+    parabola[..., 2] = -t51
+    slack[..., 0] = t55
+    least[..., 0] = t33
+    least[..., 1] = t42
+    least[..., 2] = t43
+    null[..., 0] = t34
+    null[..., 1] = t32
+    null[..., 2] = t31
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

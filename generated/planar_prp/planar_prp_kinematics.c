@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs dbc37793b1ae15b5f341a78a5e1a58af99b7863abb68afccdb88e9a5e982436e.
+ * Made from templates/kernel.c.j2; inputs e4e06f91ecbe25d2d74d1a22c846a94ce1d426a56c3dd828de7372f740b5e274.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "dbc37793b1ae15b5f341a78a5e1a58af99b7863abb68afccdb88e9a5e982436e";
+const char planar_prp_kinematics_digest[] = "e4e06f91ecbe25d2d74d1a22c846a94ce1d426a56c3dd828de7372f740b5e274";
 #endif
 
 #define LANES 64

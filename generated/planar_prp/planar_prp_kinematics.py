@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dbc37793b1ae15b5f341a78a5e1a58af99b7863abb68afccdb88e9a5e982436e.
+Made from templates/kernel.py.j2; inputs e4e06f91ecbe25d2d74d1a22c846a94ce1d426a56c3dd828de7372f740b5e274.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

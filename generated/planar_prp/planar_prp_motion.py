@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 582cb136249345553a91b51caf18da183d78857941524946dc58d2ef14e0dbe3.
+Made from templates/kernel.py.j2; inputs 92784fd4e1732f18c6ce3080967ca49b896016f112c8793e3d7443ecb6439abc.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

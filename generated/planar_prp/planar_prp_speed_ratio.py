@@ -1,7 +1,7 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5e782a4dbb776283d7e332c2a3d14067fc8f8cd7fa1ffed7a08f5e0fd70323a9.
-672 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 751df9796a1e2b7e903af7ec7cb6ee8b63e8e42bbe3c7252d99a7d8be45a3297.
+885 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 123 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 164 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -80,16 +80,27 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t25 = t11 * t22 + t16 * t24
     t26 = t12 * t22 + t18 * t24
     t27 = t14 * t14 + t23 * t23
-    t28 = t11 / t12
-    t29 = t16 + np.where(t13 != 0.0, -(t18 * t28), 0.0)
-    t30 = t14 / t12
-    t31 = t23 + np.where(t13 != 0.0, -(t18 * t30), 0.0)
-    t32 = (t29 + t29) * t31
-    t33 = t31 * t31
-    t34 = t15 + np.where(t13 != 0.0, -(t20 * t28), 0.0)
-    t35 = t20 * t30
-    t36 = np.where(t13 != 0.0, -(t35 * (t32 + t32)), 0.0) - t34 * (4.0 * t33)
-    t37 = np.where(t13 != 0.0, np.where(t13 != 0.0, t35 * t35, 0.0), 0.0)
+    t28 = np.sqrt((2.0 + t1 * t1 + t6 * t6 + l2 * l2))
+    t29 = 1.4210854715202004e-14 * t28
+    t30 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign(t13, 1.0))
+    t31 = 1.0 - t30
+    t32 = t16 * t31 + t18 * t30
+    t33 = t11 * t31 + t12 * t30
+    t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
+    t35 = t34 / (1.0 - t33 * t34 - t34)
+    t36 = t35 * (t11 * t30 + t12 * t31)
+    t37 = t16 * t30 + t18 * t31 + t32 * t36
+    t38 = t37 * t37
+    t39 = t14 * t35
+    t40 = t23 + t32 * t39
+    t41 = (t37 + t37) * t40
+    t42 = t40 * t40
+    t43 = t15 * t31
+    t44 = t15 * t30 + t43 * (t36 * t36) + t20 * t36
+    t45 = t36 * (t39 * (t43 + t43)) + t20 * t39
+    t46 = t43 * (t39 * t39)
+    t47 = t45 * (t41 + t41) - t46 * (4.0 * t38) - t44 * (4.0 * t42)
+    t48 = t45 * t45 - t46 * (4.0 * t44)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -122,20 +133,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t25
     B1[..., 4] = t26
     B1[..., 5] = t27
-    a[..., 0] = t29 * t29
-    a[..., 1] = t32
-    a[..., 2] = t33
-    b[..., 0] = t34
-    b[..., 1] = np.where(t13 != 0.0, -t35, 0.0)
-    b[..., 2] = 0.0
-    C[..., 0] = t36
-    D[..., 0] = t37
-    discriminant[..., 0] = t37 + kappa * t36
+    a[..., 0] = t38
+    a[..., 1] = t41
+    a[..., 2] = t42
+    b[..., 0] = t44
+    b[..., 1] = t45
+    b[..., 2] = t46
+    C[..., 0] = t47
+    D[..., 0] = t48
+    discriminant[..., 0] = t48 + kappa * t47
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 123 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 150 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -205,16 +216,25 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t25 = t6 * (t14 + t14) + t17 * (t22 + t22)
     t26 = t6 * t10 + l2 * (tx * t2 - ty * t3)
     t27 = t14 * t14 + t22 * t22
-    t28 = t1 / t6
-    t29 = t15 + np.where(t7 != 0.0, -(t17 * t28), 0.0)
-    t30 = t29 * t29
-    t31 = t14 / t6
-    t32 = t22 + np.where(t7 != 0.0, -(t17 * t31), 0.0)
-    t33 = (t29 + t29) * t32
-    t34 = t24 * t28
-    t35 = t26 + np.where(t7 != 0.0, -(t24 * t31), 0.0)
-    t36 = np.where(t7 != 0.0, -(t34 * (t33 + t33)), 0.0) - t35 * (4.0 * t30)
-    t37 = np.where(t7 != 0.0, np.where(t7 != 0.0, t34 * t34, 0.0), 0.0)
+    t28 = np.sqrt((2.0 + t8 * t8 + t10 * t10 + l2 * l2))
+    t29 = 1.4210854715202004e-14 * t28
+    t30 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign(t7, 1.0))
+    t31 = 1.0 - t30
+    t32 = t15 * t31 + t17 * t30
+    t33 = t1 * t31 + t6 * t30
+    t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
+    t35 = t34 / (1.0 - t33 * t34 - t34)
+    t36 = t35 * (t1 * t30 + t6 * t31)
+    t37 = t15 * t30 + t17 * t31 + t32 * t36
+    t38 = t37 * t37
+    t39 = t14 * t35
+    t40 = t22 + t32 * t39
+    t41 = (t37 + t37) * t40
+    t42 = t24 * t30
+    t43 = t24 * t31 + t36 * t42
+    t44 = t26 + t39 * t42
+    t45 = t43 * (t41 + t41) - t44 * (4.0 * t38)
+    t46 = t43 * t43
 
     # results
     A = np.empty((*leading, 3), real)
@@ -247,20 +267,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t23
     B1[..., 4] = t25
     B1[..., 5] = t27
-    a[..., 0] = t30
-    a[..., 1] = t33
-    a[..., 2] = t32 * t32
+    a[..., 0] = t38
+    a[..., 1] = t41
+    a[..., 2] = t40 * t40
     b[..., 0] = 0.0
-    b[..., 1] = np.where(t7 != 0.0, -t34, 0.0)
-    b[..., 2] = t35
-    C[..., 0] = t36
-    D[..., 0] = t37
-    discriminant[..., 0] = t37 + kappa * t36
+    b[..., 1] = t43
+    b[..., 2] = t44
+    C[..., 0] = t45
+    D[..., 0] = t46
+    discriminant[..., 0] = t46 + kappa * t45
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 140 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 167 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -330,20 +350,28 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t25 = -2.0 * t23
     t26 = t14 * (t12 + t12) + t23 * (t18 + t18)
     t27 = t14 * t14 + t23 * t23
-    t28 = t1 / t12
-    t29 = t15 + np.where(t13 != 0.0, -(t18 * t28), 0.0)
-    t30 = t29 * t29
-    t31 = t14 / t12
-    t32 = t23 + np.where(t13 != 0.0, -(t18 * t31), 0.0)
-    t33 = (t29 + t29) * t32
-    t34 = t32 * t32
-    t35 = np.where(t13 != 0.0, -t28, 0.0)
-    t36 = t17 * (t35 * t35)
-    t37 = np.where(t13 != 0.0, -(t25 * t28), 0.0) - np.where(t13 != 0.0, np.where(t13 != 0.0, -(t28 * (t31 * (t17 + t17))), 0.0), 0.0)
-    t38 = np.where(t13 != 0.0, -t31, 0.0)
-    t39 = t17 * (t38 * t38) + np.where(t13 != 0.0, -(t25 * t31), 0.0)
-    t40 = t37 * (t33 + t33) - t39 * (4.0 * t30) - t36 * (4.0 * t34)
-    t41 = t37 * t37 - t39 * (4.0 * t36)
+    t28 = np.sqrt((2.0 + t2 * t2 + t7 * t7 + l2 * l2))
+    t29 = 1.4210854715202004e-14 * t28
+    t30 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign(t13, 1.0))
+    t31 = 1.0 - t30
+    t32 = t15 * t31 + t18 * t30
+    t33 = t1 * t31 + t12 * t30
+    t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
+    t35 = t34 / (1.0 - t33 * t34 - t34)
+    t36 = t35 * (t1 * t30 + t12 * t31)
+    t37 = t15 * t30 + t18 * t31 + t32 * t36
+    t38 = t37 * t37
+    t39 = t14 * t35
+    t40 = t23 + t32 * t39
+    t41 = (t37 + t37) * t40
+    t42 = t40 * t40
+    t43 = t17 * t30
+    t44 = t17 * t31 + t43 * (t36 * t36)
+    t45 = t25 * t30
+    t46 = t25 * t31 + t36 * (t39 * (t43 + t43)) + t36 * t45
+    t47 = t43 * (t39 * t39) + t39 * t45
+    t48 = t46 * (t41 + t41) - t47 * (4.0 * t38) - t44 * (4.0 * t42)
+    t49 = t46 * t46 - t47 * (4.0 * t44)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -376,30 +404,33 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t24
     B1[..., 4] = t26
     B1[..., 5] = t27
-    a[..., 0] = t30
-    a[..., 1] = t33
-    a[..., 2] = t34
-    b[..., 0] = t36
-    b[..., 1] = t37
-    b[..., 2] = t39
-    C[..., 0] = t40
-    D[..., 0] = t41
-    discriminant[..., 0] = t41 + kappa * t40
+    a[..., 0] = t38
+    a[..., 1] = t41
+    a[..., 2] = t42
+    b[..., 0] = t44
+    b[..., 1] = t46
+    b[..., 2] = t47
+    C[..., 0] = t48
+    D[..., 0] = t49
+    discriminant[..., 0] = t49 + kappa * t48
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 286 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 404 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -407,129 +438,175 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    heading3 = parameters[..., 4]
-    cos_heading3 = np.cos(heading3)
     heading1 = parameters[..., 3]
-    cos_heading1 = np.cos(heading1)
-    q2 = q[..., 1]
-    s2 = np.sin(q2)
-    c2 = np.cos(q2)
     sin_heading1 = np.sin(heading1)
-    sin_heading3 = np.sin(heading3)
     tx = tangent[..., 0]
     ty = tangent[..., 1]
+    cos_heading1 = np.cos(heading1)
     l1 = parameters[..., 0]
     q1 = q[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s2 = np.sin(q2)
     l2 = parameters[..., 1]
+    heading3 = parameters[..., 4]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
     l3 = parameters[..., 2]
     q3 = q[..., 2]
     kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
+    kappa_s = curvature[..., 1]
 
     # terms
-    t1 = cos_heading1 * s2 + c2 * sin_heading1
-    t2 = cos_heading1 * c2 - s2 * sin_heading1
-    t3 = cos_heading3 * t1 + t2 * sin_heading3
-    t4 = cos_heading3 * t2 - t1 * sin_heading3
-    t5 = t3 * tx - t4 * ty
-    t6 = l1 + q1
-    t7 = cos_heading1 * t6
-    t8 = l3 + q3
-    t9 = t7 + t2 * l2 + t4 * t8 - t7
-    t10 = sin_heading1 * t6
-    t11 = t10 + t1 * l2 + t3 * t8 - t10
-    t12 = ty * t9 - tx * t11
-    t13 = tx * t9 + ty * t11
-    t14 = tx * t4 + t3 * ty
-    t15 = t5 * t12 - t13 * t14
-    t16 = sin_heading1 * tx - cos_heading1 * ty
-    t17 = cos_heading1 * tx + sin_heading1 * ty
-    t18 = t14 * t16 - t5 * t17
-    t19 = t13 * t17 - t12 * t16
-    t20 = np.sqrt((t15 * t15 + t18 * t18 + t19 * t19))
-    t21 = t14 + t14
-    t22 = t18 / t20
-    t23 = t19 / t20
-    t24 = t5 * t8
-    t25 = t22 * t22
-    t26 = np.where(t20 != 0.0, np.where(t20 != 0.0, t21 * t22 * t23, 0.0), 0.0) - np.where(t20 != 0.0, np.where(t20 != 0.0, t24 * t25, 0.0), 0.0)
-    t27 = t1 * tx - t2 * ty
-    t28 = l2 * t27
-    t29 = t26 - np.where(t20 != 0.0, np.where(t20 != 0.0, t25 * t28, 0.0), 0.0)
-    t30 = np.where(t29 != 0.0, 1.0, 0.0)
-    t31 = t15 / t20
-    t32 = (np.where(t20 != 0.0, t5 * t31, 0.0) - np.where(t20 != 0.0, t16 * t23, 0.0)) / t20
-    t33 = (np.where(t20 != 0.0, t16 * t22, 0.0) - np.where(t20 != 0.0, t13 * t31, 0.0)) / t20
-    t34 = t5 + t5
-    t35 = np.where(t20 != 0.0, np.where(t20 != 0.0, t21 * (t23 * t32 + t22 * t33), 0.0), 0.0) - np.where(t20 != 0.0, np.where(t20 != 0.0, t22 * (t32 * (t8 * t34)), 0.0), 0.0)
-    t36 = t35 - np.where(t20 != 0.0, np.where(t20 != 0.0, t22 * (t32 * (l2 * (t27 + t27))), 0.0), 0.0)
-    t37 = t30 + np.where((1.0 - t30) != 0.0, 1.0 - np.where(t36 != 0.0, 1.0, 0.0), 0.0)
-    t38 = (np.where(t20 != 0.0, t13 * t23, 0.0) - np.where(t20 != 0.0, t5 * t22, 0.0)) / t20
-    t39 = np.where(t20 != 0.0, t38, 0.0)
-    t40 = t32 * t32
-    t41 = np.where(t20 != 0.0, np.where(t20 != 0.0, t33 * (t21 * t32), 0.0), 0.0) - np.where(t20 != 0.0, np.where(t20 != 0.0, t24 * t40, 0.0), 0.0)
-    t42 = t41 - np.where(t20 != 0.0, np.where(t20 != 0.0, t28 * t40, 0.0), 0.0)
-    t43 = t42 - kappa
-    t44 = t36 * t36 - t29 * (4.0 * t43)
-    t45 = np.sqrt(np.maximum(0.0, t44))
-    t46 = -0.5 * t36 - 0.5 * np.copysign(t45, t36)
-    t47 = t46 / t29
-    t48 = np.where(t20 != 0.0, t32, 0.0)
-    t49 = t48 + np.where(t29 != 0.0, np.where(t20 != 0.0, t22 * t47, 0.0), 0.0)
-    t50 = np.where(t20 != 0.0, t33, 0.0)
-    t51 = t50 + np.where(t29 != 0.0, np.where(t20 != 0.0, t23 * t47, 0.0), 0.0)
-    t52 = np.where(t45 != 0.0, 1.0, 0.0)
-    t53 = 1.0 - t52
-    t54 = t52 + np.where(t53 != 0.0, t37, 0.0)
-    t55 = np.where(t52 != 0.0, np.where(t46 != 0.0, t43 / t46, 0.0), 0.0) + np.where(t53 != 0.0, np.where(t29 != 0.0, t47, 0.0), 0.0)
-    t56 = t32 + t22 * t55
-    t57 = t33 + t23 * t55
-    t58 = t49 * t49
-    t59 = np.where(t37 != 0.0, np.where(t37 != 0.0, t51 * (t21 * t49), 0.0), 0.0) - np.where(t37 != 0.0, np.where(t37 != 0.0, t24 * t58, 0.0), 0.0)
-    t60 = t59 - np.where(t37 != 0.0, np.where(t37 != 0.0, t28 * t58, 0.0), 0.0)
-    t61 = t56 * t56
-    t62 = np.where(t54 != 0.0, np.where(t20 != 0.0, np.where(t54 != 0.0, np.where(t20 != 0.0, t57 * (t21 * t56), 0.0), 0.0), 0.0), 0.0) - np.where(t54 != 0.0, np.where(t20 != 0.0, np.where(t54 != 0.0, np.where(t20 != 0.0, t24 * t61, 0.0), 0.0), 0.0), 0.0)
-    t63 = t62 - np.where(t54 != 0.0, np.where(t20 != 0.0, np.where(t54 != 0.0, np.where(t20 != 0.0, t28 * t61, 0.0), 0.0), 0.0), 0.0)
-    t64 = t8 * t14
-    t65 = l2 * (t2 * tx + t1 * ty)
-    t66 = -3.0 * t60 * (t58 * t64 + t58 * t65 + t51 * (t34 * t49))
-    t67 = t49 * t58
-    t68 = 3.0 * t5
-    t69 = t66 + np.where(t37 != 0.0, t64 * t67, 0.0) + np.where(t37 != 0.0, t65 * t67, 0.0) + np.where(t37 != 0.0, t58 * (t51 * t68), 0.0)
-    t70 = -3.0 * t63 * (t61 * t64 + t61 * t65 + t57 * (t34 * t56))
-    t71 = t56 * t61
-    t72 = t70 + np.where(t54 != 0.0, np.where(t20 != 0.0, t64 * t71, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t20 != 0.0, t65 * t71, 0.0), 0.0)
-    t73 = np.where(t54 != 0.0, np.where(t20 != 0.0, t72 + np.where(t54 != 0.0, np.where(t20 != 0.0, t61 * (t57 * t68), 0.0), 0.0), 0.0), 0.0)
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
+    t6 = t3 / t4
+    t7 = sin_heading1 * t5 - cos_heading1 * t6
+    t8 = l1 + q1
+    t9 = cos_heading1 * t8
+    t10 = cos_heading1 * c2 - sin_heading1 * s2
+    t11 = cos_heading1 * s2 + sin_heading1 * c2
+    t12 = t10 * cos_heading3 - t11 * sin_heading3
+    t13 = l3 + q3
+    t14 = t9 + t10 * l2 + t12 * t13 - t9
+    t15 = sin_heading1 * t8
+    t16 = cos_heading3 * t11 + t10 * sin_heading3
+    t17 = t15 + l2 * t11 + t13 * t16 - t15
+    t18 = t5 * t14 + t6 * t17
+    t19 = t5 * t16 - t6 * t12
+    t20 = t5 * cos_heading1 + sin_heading1 * t6
+    t21 = t7 * t7 + t18 * t18 + t19 * t19 + t20 * t20
+    t22 = t6 * t14 - t5 * t17
+    t23 = t5 * t12 + t6 * t16
+    t24 = np.sqrt((t21 + t22 * t22 + t23 * t23))
+    t25 = 2.0 + t8 * t8 + t13 * t13 + l2 * l2
+    t26 = t19 * t22 - t18 * t23
+    t27 = t7 * t23 - t19 * t20
+    t28 = t18 * t20 - t7 * t22
+    t29 = np.sqrt((t26 * t26 + t27 * t27 + t28 * t28))
+    t30 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t24 * np.sqrt(t25) - np.copysign(t29, 1.0))
+    t31 = 0.5 - t30
+    t32 = t31 / (1.0 + t29 * t31 - t31)
+    t33 = t28 * t32
+    t34 = t27 * t32
+    t35 = t32 * (t18 * t33 - t19 * t34)
+    t36 = t26 * t32
+    t37 = t23 + t23
+    t38 = t32 * (t19 * t36 - t7 * t33)
+    t39 = t32 * (t7 * t34 - t18 * t36)
+    t40 = t13 * t19
+    t41 = t38 * t38
+    t42 = t5 * t11 - t6 * t10
+    t43 = l2 * t42
+    t44 = t37 * t38 * t39 - t40 * t41 - t41 * t43
+    t45 = t44 - kappa
+    t46 = t25 * (t24 * (1.4210854715202004e-14 * t32))
+    t47 = t34 * t34
+    t48 = t33 * (t34 * t37) - t40 * t47 - t43 * t47
+    t49 = np.copysign(t48, 1.0)
+    t50 = 0.5 - 0.5 * np.copysign(1.0, t46 - t49)
+    t51 = t41 + t35 * t35 + t39 * t39
+    t52 = np.sqrt(t51)
+    t53 = t46 * (t52 + t52)
+    t54 = t19 + t19
+    t55 = t37 * (t33 * t38 + t34 * t39) - t34 * (t38 * (t13 * t54))
+    t56 = t55 - t34 * (t38 * (l2 * (t42 + t42)))
+    t57 = np.copysign(t56, 1.0)
+    t58 = t46 * t51
+    t59 = np.copysign(t45, 1.0)
+    t60 = (t53 + t53) * t57 + t49 * (4.0 * t58) + 4.0 * t46 * t59
+    t61 = t56 * t56 - t48 * (4.0 * t45)
+    t62 = np.maximum(0.0, t61)
+    t63 = t50 * (0.5 - 0.5 * np.copysign(1.0, t60 - np.copysign(t62, 1.0)))
+    t64 = t63 * (-0.5 * t56 - 0.5 * np.copysign(np.sqrt(t62), t56))
+    t65 = 0.5 - 0.5 * np.copysign(1.0, t53 - t57)
+    t66 = 1.0 - t50
+    t67 = t65 * t66
+    t68 = t50 * t56 / (1.0 + t48 * (t50 + t50) - t50) + t45 * t67 / (1.0 + t56 * t67 - t67)
+    t69 = t45 * t63 / (1.0 + t64 - t63) - (1.0 - t63) * t68
+    t70 = t31 * (t35 + t36 * t69)
+    t71 = t31 * (t38 + t34 * t69)
+    t72 = t31 * (t39 + t33 * t69)
+    t73 = t31 * t63
+    t74 = t64 / (1.0 + t48 * t63 - t63)
+    t75 = t73 * (t35 + t36 * t74)
+    t76 = t73 * (t38 + t34 * t74)
+    t77 = t73 * (t39 + t33 * t74)
+    t78 = t70 * leads1 + t71 * leads2 + t72 * leads3
+    t79 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t70, 1.0), np.copysign(t71, 1.0)), np.copysign(t72, 1.0)) - np.copysign(t78, 1.0)
+    t80 = 0.5 - 0.5 * np.copysign(1.0, t79)
+    t81 = t80 / (1.0 + t78 * t80 - t80)
+    t82 = t75 * leads1 + t76 * leads2 + t77 * leads3
+    t83 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t75, 1.0), np.copysign(t76, 1.0)), np.copysign(t77, 1.0)) - np.copysign(t82, 1.0)
+    t84 = 0.5 - 0.5 * np.copysign(1.0, t83)
+    t85 = t84 / (1.0 + t82 * t84 - t84)
+    t86 = t71 * t71
+    t87 = t72 * (t37 * t71) - t40 * t86 - t43 * t86
+    t88 = t76 * t76
+    t89 = t77 * (t37 * t76) - t40 * t88 - t43 * t88
+    t90 = t13 * t23
+    t91 = l2 * (t5 * t10 + t6 * t11)
+    t92 = -3.0 * t87 * (t86 * t90 + t86 * t91 + t72 * (t54 * t71))
+    t93 = t71 * t86
+    t94 = 3.0 * t19
+    t95 = t92 + t90 * t93 + t91 * t93 + t86 * (t72 * t94)
+    t96 = -3.0 * t89 * (t88 * t90 + t88 * t91 + t77 * (t54 * t76))
+    t97 = t76 * t88
+    t98 = t96 + t90 * t97 + t91 * t97 + t88 * (t77 * t94)
+    t99 = 0.5 - 0.5 * np.copysign(1.0, t60 - np.copysign(np.maximum(0.0, -t61), 1.0))
+    t100 = t50 * t99
+    t101 = 4.0 + t31 * (t50 * t100 + t66 * (2.0 + t65)) - 4.0 * t31
+    t102 = np.copysign((-(t98 + kappa_s)), 1.0) - np.copysign((-(t95 + kappa_s)), 1.0)
+    t103 = t66 * (1.0 - t65) * (0.5 + 0.5 * np.copysign(1.0, t58 - t59))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = np.where(t37 != 0.0, t39 + np.where(t29 != 0.0, np.where(t20 != 0.0, t31 * t47, 0.0), 0.0), 0.0)
-    rates[..., 1] = np.where(t37 != 0.0, t49, 0.0)
-    rates[..., 2] = np.where(t37 != 0.0, t51, 0.0)
-    rates[..., 3] = np.where(t54 != 0.0, np.where(t20 != 0.0, t38 + t31 * t55, 0.0), 0.0)
-    rates[..., 4] = np.where(t54 != 0.0, np.where(t20 != 0.0, t56, 0.0), 0.0)
-    rates[..., 5] = np.where(t54 != 0.0, np.where(t20 != 0.0, t57, 0.0), 0.0)
-    tracked[..., 0] = t60
-    tracked[..., 1] = t63
-    tracked_rate[..., 0] = -np.where(t37 != 0.0, np.where(t37 != 0.0, t69, 0.0), 0.0)
-    tracked_rate[..., 1] = -np.where(t54 != 0.0, np.where(t20 != 0.0, t73, 0.0), 0.0)
-    parabola[..., 0] = t29
-    parabola[..., 1] = t36
-    parabola[..., 2] = t42
-    discriminant[..., 0] = t44
-    least[..., 0] = t39
-    least[..., 1] = t48
-    least[..., 2] = t50
-    null[..., 0] = np.where(t20 != 0.0, t31, 0.0)
-    null[..., 1] = np.where(t20 != 0.0, t22, 0.0)
-    null[..., 2] = np.where(t20 != 0.0, t23, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    rates[..., 0] = t70
+    rates[..., 1] = t71
+    rates[..., 2] = t72
+    rates[..., 3] = t75
+    rates[..., 4] = t76
+    rates[..., 5] = t77
+    ratios[..., 0] = t81 * (t70 + leads1 * (t71 - t70))
+    ratios[..., 1] = t81 * (t72 + leads3 * (t71 - t72))
+    ratios[..., 2] = t85 * (t75 + leads1 * (t76 - t75))
+    ratios[..., 3] = t85 * (t77 + leads3 * (t76 - t77))
+    tracked[..., 0] = t87
+    tracked[..., 1] = t89
+    tracked_rate[..., 0] = -t95
+    tracked_rate[..., 1] = -t98
+    verdict[..., 0] = t101
+    verdict[..., 1] = t31 * (1.0 + t63)
+    verdict[..., 2] = t63 * (0.5 * t31) * (1.0 - np.copysign(1.0, t102))
+    verdict[..., 3] = t31 * (t67 + t50 * (1.0 - t100) + t103)
+    verdict[..., 4] = t73 * (1.0 - t84) + t31 * (1.0 - t80)
+    parabola[..., 0] = t48
+    parabola[..., 1] = t56
+    parabola[..., 2] = t44
+    slack[..., 0] = t61
+    least[..., 0] = t35
+    least[..., 1] = t38
+    least[..., 2] = t39
+    null[..., 0] = t36
+    null[..., 1] = t34
+    null[..., 2] = t33
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

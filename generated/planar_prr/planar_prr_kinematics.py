@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 952d9293bad1b5ffc36d76c28a11a8a07ad8634b6ae9b843d8b45a580fbddb13.
+Made from templates/kernel.py.j2; inputs 9a3a6c487174d1f1b3b35430283dea054804dd328b6749ce051a96a69d14c577.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 42907fc3adf470a59c4f70a0547ab6fecc3a8581f2ff071c93564a80ff9998ab.
+Made from templates/kernel.py.j2; inputs 07441663d512a72b71b47a450998c25b8b52a11a2f1bdd8bab2f0efe5fd64ab7.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

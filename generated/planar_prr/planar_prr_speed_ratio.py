@@ -1,7 +1,7 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cdac75dd2f7762b18f7bf272d172dc8347846594e3466cd9495c045c994a6745.
-698 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs ab43ccd351b0dd0768598413455df11ff12e2583255f9fe9d02434c37e668685.
+905 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 145 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 172 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading1)
@@ -82,20 +82,27 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t28 = t12 * t25 + t19 * t27
     t29 = t13 * t25 + t21 * t27
     t30 = t15 * t15 + t26 * t26
-    t31 = t12 / t13
-    t32 = t19 + np.where(t14 != 0.0, -(t21 * t31), 0.0)
-    t33 = t32 * t32
-    t34 = t15 / t13
-    t35 = t26 + np.where(t14 != 0.0, -(t21 * t34), 0.0)
-    t36 = (t32 + t32) * t35
-    t37 = t35 * t35
-    t38 = np.where(t14 != 0.0, -t31, 0.0)
-    t39 = t18 + t17 * (t38 * t38) + np.where(t14 != 0.0, -(t23 * t31), 0.0)
-    t40 = np.where(t14 != 0.0, -(t23 * t34), 0.0) - np.where(t14 != 0.0, np.where(t14 != 0.0, -(t31 * (t34 * (t17 + t17))), 0.0), 0.0)
-    t41 = np.where(t14 != 0.0, -t34, 0.0)
-    t42 = t17 * (t41 * t41)
-    t43 = t40 * (t36 + t36) - t42 * (4.0 * t33) - t39 * (4.0 * t37)
-    t44 = t40 * t40 - t42 * (4.0 * t39)
+    t31 = np.sqrt((1.0 + t1 * t1 + l2 * l2 + l3 * l3))
+    t32 = 1.4210854715202004e-14 * t31
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign(t14, 1.0))
+    t34 = 1.0 - t33
+    t35 = t19 * t34 + t21 * t33
+    t36 = t12 * t34 + t13 * t33
+    t37 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign((-t36), 1.0))
+    t38 = t37 / (1.0 - t36 * t37 - t37)
+    t39 = t38 * (t12 * t33 + t13 * t34)
+    t40 = t19 * t33 + t21 * t34 + t35 * t39
+    t41 = t40 * t40
+    t42 = t15 * t38
+    t43 = t26 + t35 * t42
+    t44 = (t40 + t40) * t43
+    t45 = t43 * t43
+    t46 = t18 * t34 + t17 * t33
+    t47 = t18 * t33 + t17 * t34 + t46 * (t39 * t39) + t23 * t39
+    t48 = t39 * (t42 * (t46 + t46)) + t23 * t42
+    t49 = t46 * (t42 * t42)
+    t50 = t48 * (t44 + t44) - t49 * (4.0 * t41) - t47 * (4.0 * t45)
+    t51 = t48 * t48 - t49 * (4.0 * t47)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -128,20 +135,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t28
     B1[..., 4] = t29
     B1[..., 5] = t30
-    a[..., 0] = t33
-    a[..., 1] = t36
-    a[..., 2] = t37
-    b[..., 0] = t39
-    b[..., 1] = t40
-    b[..., 2] = t42
-    C[..., 0] = t43
-    D[..., 0] = t44
-    discriminant[..., 0] = t44 + kappa * t43
+    a[..., 0] = t41
+    a[..., 1] = t44
+    a[..., 2] = t45
+    b[..., 0] = t47
+    b[..., 1] = t48
+    b[..., 2] = t49
+    C[..., 0] = t50
+    D[..., 0] = t51
+    discriminant[..., 0] = t51 + kappa * t50
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 145 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 172 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading1)
@@ -213,20 +220,28 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t28 = t8 * (t15 + t15) + t20 * (t25 + t25)
     t29 = t19 + l2 * (tx * t3 - ty * t2)
     t30 = t15 * t15 + t25 * t25
-    t31 = t1 / t8
-    t32 = t16 + np.where(t9 != 0.0, -(t20 * t31), 0.0)
-    t33 = t32 * t32
-    t34 = t15 / t8
-    t35 = t25 + np.where(t9 != 0.0, -(t20 * t34), 0.0)
-    t36 = (t32 + t32) * t35
-    t37 = t35 * t35
-    t38 = np.where(t9 != 0.0, -t31, 0.0)
-    t39 = t19 * (t38 * t38)
-    t40 = np.where(t9 != 0.0, -(t27 * t31), 0.0) - np.where(t9 != 0.0, np.where(t9 != 0.0, -(t31 * (t34 * (t19 + t19))), 0.0), 0.0)
-    t41 = np.where(t9 != 0.0, -t34, 0.0)
-    t42 = t29 + t19 * (t41 * t41) + np.where(t9 != 0.0, -(t27 * t34), 0.0)
-    t43 = t40 * (t36 + t36) - t42 * (4.0 * t33) - t39 * (4.0 * t37)
-    t44 = t40 * t40 - t42 * (4.0 * t39)
+    t31 = np.sqrt((1.0 + t10 * t10 + l2 * l2 + l3 * l3))
+    t32 = 1.4210854715202004e-14 * t31
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign(t9, 1.0))
+    t34 = 1.0 - t33
+    t35 = t16 * t34 + t20 * t33
+    t36 = t1 * t34 + t8 * t33
+    t37 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign((-t36), 1.0))
+    t38 = t37 / (1.0 - t36 * t37 - t37)
+    t39 = t38 * (t1 * t33 + t8 * t34)
+    t40 = t16 * t33 + t20 * t34 + t35 * t39
+    t41 = t40 * t40
+    t42 = t15 * t38
+    t43 = t25 + t35 * t42
+    t44 = (t40 + t40) * t43
+    t45 = t43 * t43
+    t46 = t19 * t33
+    t47 = t19 * t34 + t46 * (t39 * t39)
+    t48 = t27 * t33
+    t49 = t27 * t34 + t39 * (t42 * (t46 + t46)) + t39 * t48
+    t50 = t29 + t46 * (t42 * t42) + t42 * t48
+    t51 = t49 * (t44 + t44) - t50 * (4.0 * t41) - t47 * (4.0 * t45)
+    t52 = t49 * t49 - t50 * (4.0 * t47)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -259,20 +274,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t26
     B1[..., 4] = t28
     B1[..., 5] = t30
-    a[..., 0] = t33
-    a[..., 1] = t36
-    a[..., 2] = t37
-    b[..., 0] = t39
-    b[..., 1] = t40
-    b[..., 2] = t42
-    C[..., 0] = t43
-    D[..., 0] = t44
-    discriminant[..., 0] = t44 + kappa * t43
+    a[..., 0] = t41
+    a[..., 1] = t44
+    a[..., 2] = t45
+    b[..., 0] = t47
+    b[..., 1] = t49
+    b[..., 2] = t50
+    C[..., 0] = t51
+    D[..., 0] = t52
+    discriminant[..., 0] = t52 + kappa * t51
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 145 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 172 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading1)
@@ -344,20 +359,28 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t28 = l3 * (t18 + t18)
     t29 = t15 * (t13 + t13) + t26 * (t21 + t21)
     t30 = t15 * t15 + t26 * t26
-    t31 = t1 / t13
-    t32 = t16 + np.where(t14 != 0.0, -(t21 * t31), 0.0)
-    t33 = t32 * t32
-    t34 = t15 / t13
-    t35 = t26 + np.where(t14 != 0.0, -(t21 * t34), 0.0)
-    t36 = (t32 + t32) * t35
-    t37 = t35 * t35
-    t38 = np.where(t14 != 0.0, -t31, 0.0)
-    t39 = t20 * (t38 * t38)
-    t40 = np.where(t14 != 0.0, -(t28 * t31), 0.0) - np.where(t14 != 0.0, np.where(t14 != 0.0, -(t31 * (t34 * (t20 + t20))), 0.0), 0.0)
-    t41 = np.where(t14 != 0.0, -t34, 0.0)
-    t42 = t19 + t20 * (t41 * t41) + np.where(t14 != 0.0, -(t28 * t34), 0.0)
-    t43 = t40 * (t36 + t36) - t42 * (4.0 * t33) - t39 * (4.0 * t37)
-    t44 = t40 * t40 - t42 * (4.0 * t39)
+    t31 = np.sqrt((1.0 + t2 * t2 + l2 * l2 + l3 * l3))
+    t32 = 1.4210854715202004e-14 * t31
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign(t14, 1.0))
+    t34 = 1.0 - t33
+    t35 = t16 * t34 + t21 * t33
+    t36 = t1 * t34 + t13 * t33
+    t37 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign((-t36), 1.0))
+    t38 = t37 / (1.0 - t36 * t37 - t37)
+    t39 = t38 * (t1 * t33 + t13 * t34)
+    t40 = t16 * t33 + t21 * t34 + t35 * t39
+    t41 = t40 * t40
+    t42 = t15 * t38
+    t43 = t26 + t35 * t42
+    t44 = (t40 + t40) * t43
+    t45 = t43 * t43
+    t46 = t20 * t33
+    t47 = t20 * t34 + t46 * (t39 * t39)
+    t48 = t28 * t33
+    t49 = t28 * t34 + t39 * (t42 * (t46 + t46)) + t39 * t48
+    t50 = t19 + t46 * (t42 * t42) + t42 * t48
+    t51 = t49 * (t44 + t44) - t50 * (4.0 * t41) - t47 * (4.0 * t45)
+    t52 = t49 * t49 - t50 * (4.0 * t47)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -390,30 +413,33 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t27
     B1[..., 4] = t29
     B1[..., 5] = t30
-    a[..., 0] = t33
-    a[..., 1] = t36
-    a[..., 2] = t37
-    b[..., 0] = t39
-    b[..., 1] = t40
-    b[..., 2] = t42
-    C[..., 0] = t43
-    D[..., 0] = t44
-    discriminant[..., 0] = t44 + kappa * t43
+    a[..., 0] = t41
+    a[..., 1] = t44
+    a[..., 2] = t45
+    b[..., 0] = t47
+    b[..., 1] = t49
+    b[..., 2] = t50
+    C[..., 0] = t51
+    D[..., 0] = t52
+    discriminant[..., 0] = t52 + kappa * t51
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 263 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 389 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading1)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -421,128 +447,176 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    q3 = q[..., 2]
-    c3 = np.cos(q3)
     heading1 = parameters[..., 3]
-    cos_heading1 = np.cos(heading1)
-    q2 = q[..., 1]
-    c2 = np.cos(q2)
     sin_heading1 = np.sin(heading1)
-    s2 = np.sin(q2)
-    s3 = np.sin(q3)
-    l3 = parameters[..., 2]
     tx = tangent[..., 0]
     ty = tangent[..., 1]
+    cos_heading1 = np.cos(heading1)
     l1 = parameters[..., 0]
     q1 = q[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s2 = np.sin(q2)
     l2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
     kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
+    kappa_s = curvature[..., 1]
 
     # terms
-    t1 = cos_heading1 * c2 - sin_heading1 * s2
-    t2 = cos_heading1 * s2 + c2 * sin_heading1
-    t3 = c3 * t1 - t2 * s3
-    t4 = t3 * l3
-    t5 = c3 * t2 + t1 * s3
-    t6 = l3 * t5
-    t7 = t4 * tx + t6 * ty
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
+    t6 = t3 / t4
+    t7 = sin_heading1 * t5 - cos_heading1 * t6
     t8 = l1 + q1
     t9 = cos_heading1 * t8
-    t10 = t4 + (t9 + t1 * l2) - t9
-    t11 = sin_heading1 * t8
-    t12 = t6 + (t11 + t2 * l2) - t11
-    t13 = ty * t10 - tx * t12
-    t14 = tx * t10 + ty * t12
-    t15 = t4 * ty - tx * t6
-    t16 = t7 * t13 - t14 * t15
-    t17 = sin_heading1 * tx - cos_heading1 * ty
-    t18 = cos_heading1 * tx + sin_heading1 * ty
-    t19 = t15 * t17 - t7 * t18
-    t20 = t14 * t18 - t13 * t17
-    t21 = np.sqrt((t16 * t16 + t19 * t19 + t20 * t20))
-    t22 = t2 * tx - t1 * ty
-    t23 = l2 * t22
-    t24 = t19 / t21
-    t25 = tx * t5 - t3 * ty
-    t26 = l3 * t25
-    t27 = t20 / t21
-    t28 = t24 + t27
-    t29 = t23 * (t24 * t24) + t26 * (t28 * t28)
-    t30 = np.where(t21 != 0.0, np.where(t21 != 0.0, t29, 0.0), 0.0)
-    t31 = -t30
-    t32 = np.where(t31 != 0.0, 1.0, 0.0)
-    t33 = t16 / t21
-    t34 = (np.where(t21 != 0.0, t7 * t33, 0.0) - np.where(t21 != 0.0, t17 * t27, 0.0)) / t21
-    t35 = (np.where(t21 != 0.0, t17 * t24, 0.0) - np.where(t21 != 0.0, t14 * t33, 0.0)) / t21
-    t36 = t34 + t35
-    t37 = np.where(t21 != 0.0, np.where(t21 != 0.0, t24 * (l2 * (-2.0 * t22) * t34), 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, t28 * (l3 * (t25 + t25) * t36), 0.0), 0.0)
-    t38 = t32 + np.where((1.0 - t32) != 0.0, 1.0 - np.where(t37 != 0.0, 1.0, 0.0), 0.0)
-    t39 = (np.where(t21 != 0.0, t14 * t27, 0.0) - np.where(t21 != 0.0, t7 * t24, 0.0)) / t21
-    t40 = np.where(t21 != 0.0, t39, 0.0)
-    t41 = np.where(t21 != 0.0, np.where(t21 != 0.0, t23 * (t34 * t34) + t26 * (t36 * t36), 0.0), 0.0)
-    t42 = t41 + kappa
-    t43 = t37 * t37 - np.where(t21 != 0.0, np.where(t21 != 0.0, t29 * (4.0 * t42), 0.0), 0.0)
-    t44 = np.sqrt(np.maximum(0.0, t43))
-    t45 = -0.5 * t37 - 0.5 * np.copysign(t44, t37)
-    t46 = t45 / t30
-    t47 = np.where(t21 != 0.0, t34, 0.0)
-    t48 = t47 + np.where(t31 != 0.0, np.where(t21 != 0.0, -(t24 * t46), 0.0), 0.0)
-    t49 = np.where(t21 != 0.0, t35, 0.0)
-    t50 = t49 + np.where(t31 != 0.0, np.where(t21 != 0.0, -(t27 * t46), 0.0), 0.0)
-    t51 = np.where(t44 != 0.0, 1.0, 0.0)
-    t52 = 1.0 - t51
-    t53 = t51 + np.where(t52 != 0.0, t38, 0.0)
-    t54 = np.where(t51 != 0.0, np.where(t45 != 0.0, -(t42 / t45), 0.0), 0.0) + np.where(t52 != 0.0, np.where(t31 != 0.0, -t46, 0.0), 0.0)
-    t55 = t34 + t24 * t54
-    t56 = t35 + t27 * t54
-    t57 = t48 * t48
-    t58 = t48 + t50
-    t59 = np.where(t38 != 0.0, t58, 0.0)
-    t60 = t59 * t59
-    t61 = np.where(t38 != 0.0, np.where(t38 != 0.0, t23 * t57, 0.0), 0.0) + t26 * t60
-    t62 = t55 * t55
-    t63 = t55 + t56
-    t64 = np.where(t53 != 0.0, np.where(t21 != 0.0, t63, 0.0), 0.0)
-    t65 = t64 * t64
-    t66 = np.where(t53 != 0.0, np.where(t21 != 0.0, np.where(t53 != 0.0, np.where(t21 != 0.0, t23 * t62, 0.0), 0.0), 0.0), 0.0) + t26 * t65
-    t67 = l2 * (t1 * tx + t2 * ty)
-    t68 = l3 * (t3 * tx + t5 * ty)
-    t69 = -3.0 * t61 * (np.where(t38 != 0.0, np.where(t38 != 0.0, t57 * t67, 0.0), 0.0) + t60 * t68)
-    t70 = t69 - np.where(t38 != 0.0, np.where(t38 != 0.0, np.where(t38 != 0.0, t67 * (t48 * t57), 0.0), 0.0), 0.0) - np.where(t38 != 0.0, t68 * (t58 * t60), 0.0)
-    t71 = np.where(t53 != 0.0, np.where(t21 != 0.0, np.where(t53 != 0.0, np.where(t21 != 0.0, t62 * t67, 0.0), 0.0), 0.0), 0.0) + t65 * t68
-    t72 = np.where(t21 != 0.0, np.where(t53 != 0.0, np.where(t21 != 0.0, np.where(t53 != 0.0, np.where(t21 != 0.0, t67 * (t55 * t62), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t73 = -3.0 * t66 * t71 - np.where(t53 != 0.0, t72, 0.0) - np.where(t53 != 0.0, np.where(t21 != 0.0, t68 * (t63 * t65), 0.0), 0.0)
+    t10 = cos_heading1 * c2 - sin_heading1 * s2
+    t11 = cos_heading1 * s2 + sin_heading1 * c2
+    t12 = t10 * c3 - t11 * s3
+    t13 = t12 * l3
+    t14 = t9 + t10 * l2 + t13 - t9
+    t15 = sin_heading1 * t8
+    t16 = c3 * t11 + t10 * s3
+    t17 = l3 * t16
+    t18 = t15 + l2 * t11 + t17 - t15
+    t19 = t5 * t14 + t6 * t18
+    t20 = t5 * t13 + t6 * t17
+    t21 = t5 * cos_heading1 + sin_heading1 * t6
+    t22 = t7 * t7 + t19 * t19 + t20 * t20 + t21 * t21
+    t23 = t6 * t14 - t5 * t18
+    t24 = t6 * t13 - t5 * t17
+    t25 = np.sqrt((t22 + t23 * t23 + t24 * t24))
+    t26 = 1.0 + t8 * t8 + l2 * l2 + l3 * l3
+    t27 = t20 * t23 - t19 * t24
+    t28 = t7 * t24 - t20 * t21
+    t29 = t19 * t21 - t7 * t23
+    t30 = np.sqrt((t27 * t27 + t28 * t28 + t29 * t29))
+    t31 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t25 * np.sqrt(t26) - np.copysign(t30, 1.0))
+    t32 = 0.5 - t31
+    t33 = t32 / (1.0 + t30 * t32 - t32)
+    t34 = t29 * t33
+    t35 = t28 * t33
+    t36 = t33 * (t19 * t34 - t20 * t35)
+    t37 = t27 * t33
+    t38 = t26 * (t25 * (1.4210854715202004e-14 * t33))
+    t39 = t5 * t11 - t6 * t10
+    t40 = l2 * t39
+    t41 = t5 * t16 - t6 * t12
+    t42 = l3 * t41
+    t43 = t34 + t35
+    t44 = t40 * (t35 * t35) + t42 * (t43 * t43)
+    t45 = -t44
+    t46 = np.copysign(t45, 1.0)
+    t47 = 0.5 - 0.5 * np.copysign(1.0, t38 - t46)
+    t48 = t33 * (t20 * t37 - t7 * t34)
+    t49 = t48 * t48
+    t50 = t33 * (t7 * t35 - t19 * t37)
+    t51 = t36 * t36 + t49 + t50 * t50
+    t52 = np.sqrt(t51)
+    t53 = t38 * (t52 + t52)
+    t54 = t48 + t50
+    t55 = t35 * (t48 * (l2 * (-2.0 * t39))) - t43 * (l3 * (t41 + t41) * t54)
+    t56 = np.copysign(t55, 1.0)
+    t57 = t38 * t51
+    t58 = t40 * t49 + t42 * (t54 * t54)
+    t59 = t58 + kappa
+    t60 = np.copysign((-t59), 1.0)
+    t61 = (t53 + t53) * t56 + t46 * (4.0 * t57) + 4.0 * t38 * t60
+    t62 = t55 * t55 - t44 * (4.0 * t59)
+    t63 = np.maximum(0.0, t62)
+    t64 = t47 * (0.5 - 0.5 * np.copysign(1.0, t61 - np.copysign(t63, 1.0)))
+    t65 = 0.5 - 0.5 * np.copysign(1.0, t53 - t56)
+    t66 = 1.0 - t47
+    t67 = t65 * t66
+    t68 = t59 * t67 / (1.0 + t55 * t67 - t67) - t47 * t55 / (1.0 - t44 * (t47 + t47) - t47)
+    t69 = t64 * (-0.5 * t55 - 0.5 * np.copysign(np.sqrt(t63), t55))
+    t70 = (1.0 - t64) * t68 - t59 * t64 / (1.0 + t69 - t64)
+    t71 = t32 * (t36 + t37 * t70)
+    t72 = t32 * (t48 + t35 * t70)
+    t73 = t32 * (t50 + t34 * t70)
+    t74 = t32 * t64
+    t75 = t69 / (1.0 - t44 * t64 - t64)
+    t76 = t74 * (t36 + t37 * t75)
+    t77 = t74 * (t48 + t35 * t75)
+    t78 = t74 * (t50 + t34 * t75)
+    t79 = t71 * leads1 + t72 * leads2 + t73 * leads3
+    t80 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t71, 1.0), np.copysign(t72, 1.0)), np.copysign(t73, 1.0)) - np.copysign(t79, 1.0)
+    t81 = 0.5 - 0.5 * np.copysign(1.0, t80)
+    t82 = t81 / (1.0 + t79 * t81 - t81)
+    t83 = t76 * leads1 + t77 * leads2 + t78 * leads3
+    t84 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t76, 1.0), np.copysign(t77, 1.0)), np.copysign(t78, 1.0)) - np.copysign(t83, 1.0)
+    t85 = 0.5 - 0.5 * np.copysign(1.0, t84)
+    t86 = t85 / (1.0 + t83 * t85 - t85)
+    t87 = t72 * t72
+    t88 = t72 + t73
+    t89 = t88 * t88
+    t90 = t40 * t87 + t42 * t89
+    t91 = t77 * t77
+    t92 = t77 + t78
+    t93 = t92 * t92
+    t94 = t40 * t91 + t42 * t93
+    t95 = l2 * (t5 * t10 + t6 * t11)
+    t96 = l3 * (t5 * t12 + t6 * t16)
+    t97 = -3.0 * t90 * (t87 * t95 + t89 * t96) - t95 * (t72 * t87)
+    t98 = t97 - t96 * (t88 * t89)
+    t99 = -3.0 * t94 * (t91 * t95 + t93 * t96) - t95 * (t77 * t91)
+    t100 = t99 - t96 * (t92 * t93)
+    t101 = 0.5 - 0.5 * np.copysign(1.0, t61 - np.copysign(np.maximum(0.0, -t62), 1.0))
+    t102 = t47 * t101
+    t103 = 4.0 + t32 * (t47 * t102 + t66 * (2.0 + t65)) - 4.0 * t32
+    t104 = 1.0 - np.copysign(1.0, np.copysign((t100 - kappa_s), 1.0) - np.copysign((t98 - kappa_s), 1.0))
+    t105 = t66 * (1.0 - t65) * (0.5 + 0.5 * np.copysign(1.0, t57 - t60))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = np.where(t38 != 0.0, t40 + np.where(t31 != 0.0, np.where(t21 != 0.0, -(t33 * t46), 0.0), 0.0), 0.0)
-    rates[..., 1] = np.where(t38 != 0.0, t48, 0.0)
-    rates[..., 2] = np.where(t38 != 0.0, t50, 0.0)
-    rates[..., 3] = np.where(t53 != 0.0, np.where(t21 != 0.0, t39 + t33 * t54, 0.0), 0.0)
-    rates[..., 4] = np.where(t53 != 0.0, np.where(t21 != 0.0, t55, 0.0), 0.0)
-    rates[..., 5] = np.where(t53 != 0.0, np.where(t21 != 0.0, t56, 0.0), 0.0)
-    tracked[..., 0] = -t61
-    tracked[..., 1] = -t66
-    tracked_rate[..., 0] = t70
-    tracked_rate[..., 1] = t73
-    parabola[..., 0] = t31
-    parabola[..., 1] = t37
-    parabola[..., 2] = -t41
-    discriminant[..., 0] = t43
-    least[..., 0] = t40
-    least[..., 1] = t47
-    least[..., 2] = t49
-    null[..., 0] = np.where(t21 != 0.0, t33, 0.0)
-    null[..., 1] = np.where(t21 != 0.0, t24, 0.0)
-    null[..., 2] = np.where(t21 != 0.0, t27, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    rates[..., 0] = t71
+    rates[..., 1] = t72
+    rates[..., 2] = t73
+    rates[..., 3] = t76
+    rates[..., 4] = t77
+    rates[..., 5] = t78
+    ratios[..., 0] = t82 * (t71 + leads1 * (t72 - t71))
+    ratios[..., 1] = t82 * (t73 + leads3 * (t72 - t73))
+    ratios[..., 2] = t86 * (t76 + leads1 * (t77 - t76))
+    ratios[..., 3] = t86 * (t78 + leads3 * (t77 - t78))
+    tracked[..., 0] = -t90
+    tracked[..., 1] = -t94
+    tracked_rate[..., 0] = t98
+    tracked_rate[..., 1] = t100
+    verdict[..., 0] = t103
+    verdict[..., 1] = t32 * (1.0 + t64)
+    verdict[..., 2] = t64 * (0.5 * t32) * t104
+    verdict[..., 3] = t32 * (t67 + t47 * (1.0 - t102) + t105)
+    verdict[..., 4] = t74 * (1.0 - t85) + t32 * (1.0 - t81)
+    parabola[..., 0] = t45
+    parabola[..., 1] = t55
+    parabola[..., 2] = -t58
+    slack[..., 0] = t62
+    least[..., 0] = t36
+    least[..., 1] = t48
+    least[..., 2] = t50
+    null[..., 0] = t37
+    null[..., 1] = t35
+    null[..., 2] = t34
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs d3ad56f01ed336085f5c3437692322e41f8a9cf775f6e1986d128356bd404983.
+ * Made from templates/kernel.c.j2; inputs ee66be8c6b357986db4b32daff7d3ec45faaaa48b6e13229e7bd1678086fb1a6.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "d3ad56f01ed336085f5c3437692322e41f8a9cf775f6e1986d128356bd404983";
+const char planar_rpp_kinematics_digest[] = "ee66be8c6b357986db4b32daff7d3ec45faaaa48b6e13229e7bd1678086fb1a6";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs d3ad56f01ed336085f5c3437692322e41f8a9cf775f6e1986d128356bd404983.
+ * Made from templates/kernel.h.j2; inputs ee66be8c6b357986db4b32daff7d3ec45faaaa48b6e13229e7bd1678086fb1a6.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,7 +1,7 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 37a9d34c3513d50104afd9ba3daf43879d34843c4ba606f40b9de0de367ab58a.
-722 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 9c064b77ee842383043b2ce4f01268fdf7411dd8fa31d2b06c7d3e8a14c945e0.
+958 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 122 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 156 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -79,16 +79,25 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t24 = t6 * t19 + t15 * t21
     t25 = t3 * t8 + t6 * t9 + l1 * (s1 * tx - c1 * ty)
     t26 = t12 * t12 + t20 * t20
-    t27 = t3 / t6
-    t28 = t13 + np.where(t7 != 0.0, -(t15 * t27), 0.0)
-    t29 = t28 * t28
-    t30 = t12 / t6
-    t31 = t20 + np.where(t7 != 0.0, -(t15 * t30), 0.0)
-    t32 = (t28 + t28) * t31
-    t33 = t18 + np.where(t7 != 0.0, -(t23 * t27), 0.0)
-    t34 = t25 + np.where(t7 != 0.0, -(t23 * t30), 0.0)
-    t35 = t33 * (t32 + t32) - t34 * (4.0 * t29)
-    t36 = t33 * t33
+    t27 = np.sqrt((2.0 + t8 * t8 + t9 * t9 + l1 * l1))
+    t28 = 1.4210854715202004e-14 * t27
+    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t7, 1.0))
+    t30 = 1.0 - t29
+    t31 = t13 * t30 + t15 * t29
+    t32 = t3 * t30 + t6 * t29
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
+    t34 = t33 / (1.0 - t32 * t33 - t33)
+    t35 = t34 * (t3 * t29 + t6 * t30)
+    t36 = t13 * t29 + t15 * t30 + t31 * t35
+    t37 = t36 * t36
+    t38 = t12 * t34
+    t39 = t20 + t31 * t38
+    t40 = (t36 + t36) * t39
+    t41 = t18 * t30 + t23 * t29
+    t42 = t18 * t29 + t23 * t30 + t35 * t41
+    t43 = t25 + t38 * t41
+    t44 = t42 * (t40 + t40) - t43 * (4.0 * t37)
+    t45 = t42 * t42
 
     # results
     A = np.empty((*leading, 3), real)
@@ -121,20 +130,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t22
     B1[..., 4] = t24
     B1[..., 5] = t26
-    a[..., 0] = t29
-    a[..., 1] = t32
-    a[..., 2] = t31 * t31
+    a[..., 0] = t37
+    a[..., 1] = t40
+    a[..., 2] = t39 * t39
     b[..., 0] = 0.0
-    b[..., 1] = t33
-    b[..., 2] = t34
-    C[..., 0] = t35
-    D[..., 0] = t36
-    discriminant[..., 0] = t36 + kappa * t35
+    b[..., 1] = t42
+    b[..., 2] = t43
+    C[..., 0] = t44
+    D[..., 0] = t45
+    discriminant[..., 0] = t45 + kappa * t44
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 122 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 173 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -203,16 +212,29 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t24 = t12 * t19 + t20 * t22
     t25 = t10 * (t12 + t12) + t16 * (t22 + t22)
     t26 = t12 * t12 + t22 * t22
-    t27 = t9 / t10
-    t28 = t14 + np.where(t11 != 0.0, -(t16 * t27), 0.0)
-    t29 = t12 / t10
-    t30 = t22 + np.where(t11 != 0.0, -(t16 * t29), 0.0)
-    t31 = (t28 + t28) * t30
-    t32 = t30 * t30
-    t33 = t13 + np.where(t11 != 0.0, -(t18 * t27), 0.0)
-    t34 = t23 + np.where(t11 != 0.0, -(t18 * t29), 0.0)
-    t35 = t34 * (t31 + t31) - t33 * (4.0 * t32)
-    t36 = t34 * t34
+    t27 = np.sqrt((2.0 + t2 * t2 + t5 * t5 + l1 * l1))
+    t28 = 1.4210854715202004e-14 * t27
+    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t11, 1.0))
+    t30 = 1.0 - t29
+    t31 = t14 * t30 + t16 * t29
+    t32 = t9 * t30 + t10 * t29
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
+    t34 = t33 / (1.0 - t32 * t33 - t33)
+    t35 = t34 * (t9 * t29 + t10 * t30)
+    t36 = t14 * t29 + t16 * t30 + t31 * t35
+    t37 = t36 * t36
+    t38 = t12 * t34
+    t39 = t22 + t31 * t38
+    t40 = (t36 + t36) * t39
+    t41 = t39 * t39
+    t42 = t13 * t30
+    t43 = t13 * t29 + t42 * (t35 * t35) + t18 * t35
+    t44 = t23 * t29 + t35 * (t38 * (t42 + t42)) + t18 * t38
+    t45 = t23 * t30
+    t46 = t44 + t35 * t45
+    t47 = t42 * (t38 * t38) + t38 * t45
+    t48 = t46 * (t40 + t40) - t47 * (4.0 * t37) - t43 * (4.0 * t41)
+    t49 = t46 * t46 - t47 * (4.0 * t43)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -245,20 +267,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t24
     B1[..., 4] = t25
     B1[..., 5] = t26
-    a[..., 0] = t28 * t28
-    a[..., 1] = t31
-    a[..., 2] = t32
-    b[..., 0] = t33
-    b[..., 1] = t34
-    b[..., 2] = 0.0
-    C[..., 0] = t35
-    D[..., 0] = t36
-    discriminant[..., 0] = t36 + kappa * t35
+    a[..., 0] = t37
+    a[..., 1] = t40
+    a[..., 2] = t41
+    b[..., 0] = t43
+    b[..., 1] = t46
+    b[..., 2] = t47
+    C[..., 0] = t48
+    D[..., 0] = t49
+    discriminant[..., 0] = t49 + kappa * t48
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 122 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 173 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -327,16 +349,29 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t24 = t12 * t19 + t20 * t22
     t25 = t12 * (t10 + t10) + t22 * (t16 + t16)
     t26 = t12 * t12 + t22 * t22
-    t27 = t9 / t10
-    t28 = t14 + np.where(t11 != 0.0, -(t16 * t27), 0.0)
-    t29 = t12 / t10
-    t30 = t22 + np.where(t11 != 0.0, -(t16 * t29), 0.0)
-    t31 = (t28 + t28) * t30
-    t32 = t30 * t30
-    t33 = t13 + np.where(t11 != 0.0, -(t18 * t27), 0.0)
-    t34 = t23 + np.where(t11 != 0.0, -(t18 * t29), 0.0)
-    t35 = t34 * (t31 + t31) - t33 * (4.0 * t32)
-    t36 = t34 * t34
+    t27 = np.sqrt((2.0 + t2 * t2 + t5 * t5 + l1 * l1))
+    t28 = 1.4210854715202004e-14 * t27
+    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t11, 1.0))
+    t30 = 1.0 - t29
+    t31 = t14 * t30 + t16 * t29
+    t32 = t9 * t30 + t10 * t29
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
+    t34 = t33 / (1.0 - t32 * t33 - t33)
+    t35 = t34 * (t9 * t29 + t10 * t30)
+    t36 = t14 * t29 + t16 * t30 + t31 * t35
+    t37 = t36 * t36
+    t38 = t12 * t34
+    t39 = t22 + t31 * t38
+    t40 = (t36 + t36) * t39
+    t41 = t39 * t39
+    t42 = t13 * t30
+    t43 = t13 * t29 + t42 * (t35 * t35) + t18 * t35
+    t44 = t23 * t29 + t35 * (t38 * (t42 + t42)) + t18 * t38
+    t45 = t23 * t30
+    t46 = t44 + t35 * t45
+    t47 = t42 * (t38 * t38) + t38 * t45
+    t48 = t46 * (t40 + t40) - t47 * (4.0 * t37) - t43 * (4.0 * t41)
+    t49 = t46 * t46 - t47 * (4.0 * t43)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -369,30 +404,33 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t24
     B1[..., 4] = t25
     B1[..., 5] = t26
-    a[..., 0] = t28 * t28
-    a[..., 1] = t31
-    a[..., 2] = t32
-    b[..., 0] = t33
-    b[..., 1] = t34
-    b[..., 2] = 0.0
-    C[..., 0] = t35
-    D[..., 0] = t36
-    discriminant[..., 0] = t36 + kappa * t35
+    a[..., 0] = t37
+    a[..., 1] = t40
+    a[..., 2] = t41
+    b[..., 0] = t43
+    b[..., 1] = t46
+    b[..., 2] = t47
+    C[..., 0] = t48
+    D[..., 0] = t49
+    discriminant[..., 0] = t49 + kappa * t48
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 356 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 456 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -400,142 +438,187 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    heading3 = parameters[..., 4]
-    cos_heading3 = np.cos(heading3)
-    q1 = q[..., 0]
-    c1 = np.cos(q1)
-    heading2 = parameters[..., 3]
-    sin_heading2 = np.sin(heading2)
-    cos_heading2 = np.cos(heading2)
-    s1 = np.sin(q1)
-    sin_heading3 = np.sin(heading3)
     tx = tangent[..., 0]
     ty = tangent[..., 1]
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
     l1 = parameters[..., 0]
+    heading2 = parameters[..., 3]
+    cos_heading2 = np.cos(heading2)
+    s1 = np.sin(q1)
+    sin_heading2 = np.sin(heading2)
     l2 = parameters[..., 1]
     q2 = q[..., 1]
+    heading3 = parameters[..., 4]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
     l3 = parameters[..., 2]
     q3 = q[..., 2]
     kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
+    kappa_s = curvature[..., 1]
 
     # terms
-    t1 = c1 * sin_heading2 + cos_heading2 * s1
-    t2 = c1 * cos_heading2 - sin_heading2 * s1
-    t3 = cos_heading3 * t1 + t2 * sin_heading3
-    t4 = cos_heading3 * t2 - t1 * sin_heading3
-    t5 = t3 * tx - t4 * ty
-    t6 = t2 * tx + t1 * ty
-    t7 = t1 * tx - t2 * ty
-    t8 = tx * t4 + t3 * ty
-    t9 = t5 * t6 - t7 * t8
-    t10 = l2 + q2
-    t11 = l3 + q3
-    t12 = c1 * l1 + t2 * t10 + t4 * t11
-    t13 = s1 * l1 + t1 * t10 + t3 * t11
-    t14 = tx * t12 + ty * t13
-    t15 = ty * t12 - tx * t13
-    t16 = t8 * t14 - t5 * t15
-    t17 = t7 * t15 - t6 * t14
-    t18 = np.sqrt((t9 * t9 + t16 * t16 + t17 * t17))
-    t19 = t6 + t6
-    t20 = t9 / t18
-    t21 = t16 / t18
-    t22 = t8 + t8
-    t23 = t17 / t18
-    t24 = np.where(t18 != 0.0, np.where(t18 != 0.0, t19 * t20 * t21 + t20 * t22 * t23, 0.0), 0.0)
-    t25 = t7 * t10
-    t26 = t20 * t20
-    t27 = t5 * t11
-    t28 = t24 - np.where(t18 != 0.0, np.where(t18 != 0.0, t25 * t26, 0.0), 0.0) - np.where(t18 != 0.0, np.where(t18 != 0.0, t26 * t27, 0.0), 0.0)
-    t29 = s1 * tx - c1 * ty
-    t30 = l1 * t29
-    t31 = t28 - np.where(t18 != 0.0, np.where(t18 != 0.0, t26 * t30, 0.0), 0.0)
-    t32 = np.where(t31 != 0.0, 1.0, 0.0)
-    t33 = (np.where(t18 != 0.0, t7 * t23, 0.0) - np.where(t18 != 0.0, t5 * t21, 0.0)) / t18
-    t34 = (np.where(t18 != 0.0, t5 * t20, 0.0) - np.where(t18 != 0.0, t14 * t23, 0.0)) / t18
-    t35 = (np.where(t18 != 0.0, t14 * t21, 0.0) - np.where(t18 != 0.0, t7 * t20, 0.0)) / t18
-    t36 = t19 * (t21 * t33 + t20 * t34) + t22 * (t23 * t33 + t20 * t35)
-    t37 = t7 + t7
-    t38 = np.where(t18 != 0.0, np.where(t18 != 0.0, t36, 0.0), 0.0) - np.where(t18 != 0.0, np.where(t18 != 0.0, t20 * (t33 * (t10 * t37)), 0.0), 0.0)
-    t39 = t5 + t5
-    t40 = t38 - np.where(t18 != 0.0, np.where(t18 != 0.0, t20 * (t33 * (t11 * t39)), 0.0), 0.0) - np.where(t18 != 0.0, np.where(t18 != 0.0, t20 * (t33 * (l1 * (t29 + t29))), 0.0), 0.0)
-    t41 = t32 + np.where((1.0 - t32) != 0.0, 1.0 - np.where(t40 != 0.0, 1.0, 0.0), 0.0)
-    t42 = np.where(t18 != 0.0, t33, 0.0)
-    t43 = np.where(t18 != 0.0, np.where(t18 != 0.0, t34 * (t19 * t33) + t35 * (t22 * t33), 0.0), 0.0)
-    t44 = t33 * t33
-    t45 = t43 - np.where(t18 != 0.0, np.where(t18 != 0.0, t25 * t44, 0.0), 0.0) - np.where(t18 != 0.0, np.where(t18 != 0.0, t27 * t44, 0.0), 0.0)
-    t46 = t45 - np.where(t18 != 0.0, np.where(t18 != 0.0, t30 * t44, 0.0), 0.0)
-    t47 = t46 - kappa
-    t48 = t40 * t40 - t31 * (4.0 * t47)
-    t49 = np.sqrt(np.maximum(0.0, t48))
-    t50 = -0.5 * t40 - 0.5 * np.copysign(t49, t40)
-    t51 = t50 / t31
-    t52 = t42 + np.where(t31 != 0.0, np.where(t18 != 0.0, t20 * t51, 0.0), 0.0)
-    t53 = np.where(t18 != 0.0, t34, 0.0)
-    t54 = t53 + np.where(t31 != 0.0, np.where(t18 != 0.0, t21 * t51, 0.0), 0.0)
-    t55 = np.where(t18 != 0.0, t35, 0.0)
-    t56 = t55 + np.where(t31 != 0.0, np.where(t18 != 0.0, t23 * t51, 0.0), 0.0)
-    t57 = np.where(t49 != 0.0, 1.0, 0.0)
-    t58 = 1.0 - t57
-    t59 = t57 + np.where(t58 != 0.0, t41, 0.0)
-    t60 = np.where(t57 != 0.0, np.where(t50 != 0.0, t47 / t50, 0.0), 0.0) + np.where(t58 != 0.0, np.where(t31 != 0.0, t51, 0.0), 0.0)
-    t61 = t33 + t20 * t60
-    t62 = t34 + t21 * t60
-    t63 = t35 + t23 * t60
-    t64 = np.where(t41 != 0.0, np.where(t41 != 0.0, t54 * (t19 * t52) + t56 * (t22 * t52), 0.0), 0.0)
-    t65 = t52 * t52
-    t66 = t64 - np.where(t41 != 0.0, np.where(t41 != 0.0, t25 * t65, 0.0), 0.0) - np.where(t41 != 0.0, np.where(t41 != 0.0, t27 * t65, 0.0), 0.0)
-    t67 = t66 - np.where(t41 != 0.0, np.where(t41 != 0.0, t30 * t65, 0.0), 0.0)
-    t68 = np.where(t59 != 0.0, np.where(t18 != 0.0, t62 * (t19 * t61) + t63 * (t22 * t61), 0.0), 0.0)
-    t69 = t61 * t61
-    t70 = np.where(t59 != 0.0, np.where(t18 != 0.0, t68, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t18 != 0.0, np.where(t59 != 0.0, np.where(t18 != 0.0, t25 * t69, 0.0), 0.0), 0.0), 0.0)
-    t71 = t70 - np.where(t59 != 0.0, np.where(t18 != 0.0, np.where(t59 != 0.0, np.where(t18 != 0.0, t27 * t69, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t18 != 0.0, np.where(t59 != 0.0, np.where(t18 != 0.0, t30 * t69, 0.0), 0.0), 0.0), 0.0)
-    t72 = t6 * t10
-    t73 = t8 * t11
-    t74 = l1 * (c1 * tx + s1 * ty)
-    t75 = t65 * t72 + t65 * t73 + t65 * t74 + t54 * (t37 * t52)
-    t76 = t52 * t65
-    t77 = -3.0 * t67 * (t75 + t56 * (t39 * t52)) + np.where(t41 != 0.0, t72 * t76, 0.0)
-    t78 = 3.0 * t7
-    t79 = t77 + np.where(t41 != 0.0, t73 * t76, 0.0) + np.where(t41 != 0.0, t74 * t76, 0.0) + np.where(t41 != 0.0, t65 * (t54 * t78), 0.0)
-    t80 = 3.0 * t5
-    t81 = -np.where(t41 != 0.0, np.where(t41 != 0.0, t79 + np.where(t41 != 0.0, t65 * (t56 * t80), 0.0), 0.0), 0.0)
-    t82 = t69 * t72 + t69 * t73 + t69 * t74 + t62 * (t37 * t61)
-    t83 = t61 * t69
-    t84 = -3.0 * t71 * (t82 + t63 * (t39 * t61)) + np.where(t59 != 0.0, np.where(t18 != 0.0, t72 * t83, 0.0), 0.0)
-    t85 = t84 + np.where(t59 != 0.0, np.where(t18 != 0.0, t73 * t83, 0.0), 0.0) + np.where(t59 != 0.0, np.where(t18 != 0.0, t74 * t83, 0.0), 0.0)
-    t86 = t85 + np.where(t59 != 0.0, np.where(t18 != 0.0, t69 * (t62 * t78), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t18 != 0.0, t69 * (t63 * t80), 0.0), 0.0)
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
+    t6 = c1 * cos_heading2 - s1 * sin_heading2
+    t7 = l2 + q2
+    t8 = c1 * sin_heading2 + cos_heading2 * s1
+    t9 = t6 * cos_heading3 - t8 * sin_heading3
+    t10 = l3 + q3
+    t11 = c1 * l1 + t6 * t7 + t9 * t10
+    t12 = t3 / t4
+    t13 = cos_heading3 * t8 + t6 * sin_heading3
+    t14 = l1 * s1 + t7 * t8 + t10 * t13
+    t15 = t5 * t11 + t12 * t14
+    t16 = t5 * t8 - t6 * t12
+    t17 = t5 * t13 - t9 * t12
+    t18 = t11 * t12 - t5 * t14
+    t19 = t15 * t15 + t16 * t16 + t17 * t17 + t18 * t18
+    t20 = t5 * t6 + t8 * t12
+    t21 = t5 * t9 + t12 * t13
+    t22 = np.sqrt((t19 + t20 * t20 + t21 * t21))
+    t23 = 2.0 + t7 * t7 + t10 * t10 + l1 * l1
+    t24 = t17 * t20 - t16 * t21
+    t25 = t15 * t21 - t17 * t18
+    t26 = t16 * t18 - t15 * t20
+    t27 = np.sqrt((t24 * t24 + t25 * t25 + t26 * t26))
+    t28 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t22 * np.sqrt(t23) - np.copysign(t27, 1.0))
+    t29 = 0.5 - t28
+    t30 = t29 / (1.0 + t27 * t29 - t29)
+    t31 = t26 * t30
+    t32 = t25 * t30
+    t33 = t30 * (t16 * t31 - t17 * t32)
+    t34 = t24 * t30
+    t35 = t20 + t20
+    t36 = t30 * (t17 * t34 - t15 * t31)
+    t37 = t21 + t21
+    t38 = t30 * (t15 * t32 - t16 * t34)
+    t39 = t7 * t16
+    t40 = t33 * t33
+    t41 = t33 * t35 * t36 + t33 * t37 * t38 - t39 * t40
+    t42 = t10 * t17
+    t43 = t5 * s1 - c1 * t12
+    t44 = l1 * t43
+    t45 = t41 - t40 * t42 - t40 * t44
+    t46 = t45 - kappa
+    t47 = t23 * (t22 * (1.4210854715202004e-14 * t30))
+    t48 = t34 * t34
+    t49 = t32 * (t34 * t35) + t31 * (t34 * t37) - t39 * t48
+    t50 = t49 - t42 * t48 - t44 * t48
+    t51 = np.copysign(t50, 1.0)
+    t52 = 0.5 - 0.5 * np.copysign(1.0, t47 - t51)
+    t53 = t40 + t36 * t36 + t38 * t38
+    t54 = np.sqrt(t53)
+    t55 = t47 * (t54 + t54)
+    t56 = t35 * (t32 * t33 + t34 * t36) + t37 * (t31 * t33 + t34 * t38)
+    t57 = t16 + t16
+    t58 = t17 + t17
+    t59 = t56 - t34 * (t33 * (t7 * t57)) - t34 * (t33 * (t10 * t58))
+    t60 = t59 - t34 * (t33 * (l1 * (t43 + t43)))
+    t61 = np.copysign(t60, 1.0)
+    t62 = t47 * t53
+    t63 = np.copysign(t46, 1.0)
+    t64 = (t55 + t55) * t61 + t51 * (4.0 * t62) + 4.0 * t47 * t63
+    t65 = t60 * t60 - t50 * (4.0 * t46)
+    t66 = np.maximum(0.0, t65)
+    t67 = t52 * (0.5 - 0.5 * np.copysign(1.0, t64 - np.copysign(t66, 1.0)))
+    t68 = t67 * (-0.5 * t60 - 0.5 * np.copysign(np.sqrt(t66), t60))
+    t69 = 0.5 - 0.5 * np.copysign(1.0, t55 - t61)
+    t70 = 1.0 - t52
+    t71 = t69 * t70
+    t72 = t52 * t60 / (1.0 + t50 * (t52 + t52) - t52) + t46 * t71 / (1.0 + t60 * t71 - t71)
+    t73 = t46 * t67 / (1.0 + t68 - t67) - (1.0 - t67) * t72
+    t74 = t29 * (t33 + t34 * t73)
+    t75 = t29 * (t36 + t32 * t73)
+    t76 = t29 * (t38 + t31 * t73)
+    t77 = t29 * t67
+    t78 = t68 / (1.0 + t50 * t67 - t67)
+    t79 = t77 * (t33 + t34 * t78)
+    t80 = t77 * (t36 + t32 * t78)
+    t81 = t77 * (t38 + t31 * t78)
+    t82 = t74 * leads1 + t75 * leads2 + t76 * leads3
+    t83 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t74, 1.0), np.copysign(t75, 1.0)), np.copysign(t76, 1.0)) - np.copysign(t82, 1.0)
+    t84 = 0.5 - 0.5 * np.copysign(1.0, t83)
+    t85 = t84 / (1.0 + t82 * t84 - t84)
+    t86 = t79 * leads1 + t80 * leads2 + t81 * leads3
+    t87 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t79, 1.0), np.copysign(t80, 1.0)), np.copysign(t81, 1.0)) - np.copysign(t86, 1.0)
+    t88 = 0.5 - 0.5 * np.copysign(1.0, t87)
+    t89 = t88 / (1.0 + t86 * t88 - t88)
+    t90 = t74 * t74
+    t91 = t75 * (t35 * t74) + t76 * (t37 * t74) - t39 * t90
+    t92 = t91 - t42 * t90 - t44 * t90
+    t93 = t79 * t79
+    t94 = t80 * (t35 * t79) + t81 * (t37 * t79) - t39 * t93
+    t95 = t94 - t42 * t93 - t44 * t93
+    t96 = t7 * t20
+    t97 = t10 * t21
+    t98 = l1 * (t5 * c1 + s1 * t12)
+    t99 = t90 * t96 + t90 * t97 + t90 * t98 + t75 * (t57 * t74)
+    t100 = t74 * t90
+    t101 = -3.0 * t92 * (t99 + t76 * (t58 * t74)) + t96 * t100
+    t102 = 3.0 * t16
+    t103 = t101 + t97 * t100 + t98 * t100 + t90 * (t75 * t102)
+    t104 = 3.0 * t17
+    t105 = t103 + t90 * (t76 * t104)
+    t106 = t93 * t96 + t93 * t97 + t93 * t98 + t80 * (t57 * t79)
+    t107 = t79 * t93
+    t108 = -3.0 * t95 * (t106 + t81 * (t58 * t79)) + t96 * t107
+    t109 = t108 + t97 * t107 + t98 * t107 + t93 * (t80 * t102)
+    t110 = t109 + t93 * (t81 * t104)
+    t111 = 0.5 - 0.5 * np.copysign(1.0, t64 - np.copysign(np.maximum(0.0, -t65), 1.0))
+    t112 = t52 * t111
+    t113 = 4.0 + t29 * (t52 * t112 + t70 * (2.0 + t69)) - 4.0 * t29
+    t114 = np.copysign((-(t110 + kappa_s)), 1.0) - np.copysign((-(t105 + kappa_s)), 1.0)
+    t115 = t70 * (1.0 - t69) * (0.5 + 0.5 * np.copysign(1.0, t62 - t63))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = np.where(t41 != 0.0, t52, 0.0)
-    rates[..., 1] = np.where(t41 != 0.0, t54, 0.0)
-    rates[..., 2] = np.where(t41 != 0.0, t56, 0.0)
-    rates[..., 3] = np.where(t59 != 0.0, np.where(t18 != 0.0, t61, 0.0), 0.0)
-    rates[..., 4] = np.where(t59 != 0.0, np.where(t18 != 0.0, t62, 0.0), 0.0)
-    rates[..., 5] = np.where(t59 != 0.0, np.where(t18 != 0.0, t63, 0.0), 0.0)
-    tracked[..., 0] = t67
-    tracked[..., 1] = t71
-    tracked_rate[..., 0] = t81
-    tracked_rate[..., 1] = -np.where(t59 != 0.0, np.where(t18 != 0.0, np.where(t59 != 0.0, np.where(t18 != 0.0, t86, 0.0), 0.0), 0.0), 0.0)
-    parabola[..., 0] = t31
-    parabola[..., 1] = t40
-    parabola[..., 2] = t46
-    discriminant[..., 0] = t48
-    least[..., 0] = t42
-    least[..., 1] = t53
-    least[..., 2] = t55
-    null[..., 0] = np.where(t18 != 0.0, t20, 0.0)
-    null[..., 1] = np.where(t18 != 0.0, t21, 0.0)
-    null[..., 2] = np.where(t18 != 0.0, t23, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    rates[..., 0] = t74
+    rates[..., 1] = t75
+    rates[..., 2] = t76
+    rates[..., 3] = t79
+    rates[..., 4] = t80
+    rates[..., 5] = t81
+    ratios[..., 0] = t85 * (t74 + leads1 * (t75 - t74))
+    ratios[..., 1] = t85 * (t76 + leads3 * (t75 - t76))
+    ratios[..., 2] = t89 * (t79 + leads1 * (t80 - t79))
+    ratios[..., 3] = t89 * (t81 + leads3 * (t80 - t81))
+    tracked[..., 0] = t92
+    tracked[..., 1] = t95
+    tracked_rate[..., 0] = -t105
+    tracked_rate[..., 1] = -t110
+    verdict[..., 0] = t113
+    verdict[..., 1] = t29 * (1.0 + t67)
+    verdict[..., 2] = t67 * (0.5 * t29) * (1.0 - np.copysign(1.0, t114))
+    verdict[..., 3] = t29 * (t71 + t52 * (1.0 - t112) + t115)
+    verdict[..., 4] = t77 * (1.0 - t88) + t29 * (1.0 - t84)
+    parabola[..., 0] = t50
+    parabola[..., 1] = t60
+    parabola[..., 2] = t45
+    slack[..., 0] = t65
+    least[..., 0] = t33
+    least[..., 1] = t36
+    least[..., 2] = t38
+    null[..., 0] = t34
+    null[..., 1] = t32
+    null[..., 2] = t31
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 8d60a59ac0b8e3c9528d4145720736552bb4624ecdd123b346a395a6516add4f.
+ * Made from templates/kernel.c.j2; inputs 7098f285cbafeeb7a99f88bc9de4096cfd2c28f1616c21660b36043ae2a717d1.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "8d60a59ac0b8e3c9528d4145720736552bb4624ecdd123b346a395a6516add4f";
+const char planar_rpr_kinematics_digest[] = "7098f285cbafeeb7a99f88bc9de4096cfd2c28f1616c21660b36043ae2a717d1";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 8d60a59ac0b8e3c9528d4145720736552bb4624ecdd123b346a395a6516add4f.
+ * Made from templates/kernel.h.j2; inputs 7098f285cbafeeb7a99f88bc9de4096cfd2c28f1616c21660b36043ae2a717d1.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8d60a59ac0b8e3c9528d4145720736552bb4624ecdd123b346a395a6516add4f.
+Made from templates/kernel.py.j2; inputs 7098f285cbafeeb7a99f88bc9de4096cfd2c28f1616c21660b36043ae2a717d1.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

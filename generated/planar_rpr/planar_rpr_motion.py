@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b4f8b4a2b6636387b76f4a3056fc312373e3d2c87069711b111552c6d1a2c327.
+Made from templates/kernel.py.j2; inputs 150e4d47a7cb57cc0ae3e11bacebb115cf0785162a9c80550365a2f3a5f3eb14.
 307 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 26402a5c086827a4f2c23e03d47e7e810f8318c3788ba24934559a3a0ecd9a5e.
- * 785 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs a0516575525d66df1c4905285e28ad6dd5ebd631b8c76c408e2ff5f5fa5b3f75.
+ * 977 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -35,7 +35,7 @@ extern const char planar_rpr_speed_ratio_digest[];
  *   out  C (one number)
  *   out  D (one number)
  *   out  discriminant (one number)
- *   148 operations */
+ *   178 operations */
 void planar_rpr_speed_ratio_terms_1(const double *q, const double *parameters, const double *tangent, const double *curvature, double *A, double *B, double *B0, double *B1, double *a, double *b, double *C, double *D, double *discriminant);
 void planar_rpr_speed_ratio_terms_1_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpr_speed_ratio_terms_1f(const float *q, const float *parameters, const float *tangent, const float *curvature, float *A, float *B, float *B0, float *B1, float *a, float *b, float *C, float *D, float *discriminant);
@@ -55,7 +55,7 @@ void planar_rpr_speed_ratio_terms_1_batchf(ptrdiff_t count, char *const *args, c
  *   out  C (one number)
  *   out  D (one number)
  *   out  discriminant (one number)
- *   148 operations */
+ *   181 operations */
 void planar_rpr_speed_ratio_terms_2(const double *q, const double *parameters, const double *tangent, const double *curvature, double *A, double *B, double *B0, double *B1, double *a, double *b, double *C, double *D, double *discriminant);
 void planar_rpr_speed_ratio_terms_2_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpr_speed_ratio_terms_2f(const float *q, const float *parameters, const float *tangent, const float *curvature, float *A, float *B, float *B0, float *B1, float *a, float *b, float *C, float *D, float *discriminant);
@@ -75,7 +75,7 @@ void planar_rpr_speed_ratio_terms_2_batchf(ptrdiff_t count, char *const *args, c
  *   out  C (one number)
  *   out  D (one number)
  *   out  discriminant (one number)
- *   131 operations */
+ *   178 operations */
 void planar_rpr_speed_ratio_terms_3(const double *q, const double *parameters, const double *tangent, const double *curvature, double *A, double *B, double *B0, double *B1, double *a, double *b, double *C, double *D, double *discriminant);
 void planar_rpr_speed_ratio_terms_3_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpr_speed_ratio_terms_3f(const float *q, const float *parameters, const float *tangent, const float *curvature, float *A, float *B, float *B0, float *B1, float *a, float *b, float *C, float *D, float *discriminant);
@@ -86,17 +86,20 @@ void planar_rpr_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   in   parameters[4] = (l1, l2, l3, heading2)
  *   in   tangent[2] = (tx, ty)
  *   in   curvature[2] = (kappa, kappa_s)
+ *   in   leading[3] = (leads1, leads2, leads3)
  *   out  rates[2][3]
+ *   out  ratios[2][2]
  *   out  tracked[2]
  *   out  tracked_rate[2]
+ *   out  verdict[5]
  *   out  parabola[3]
- *   out  discriminant (one number)
+ *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   358 operations */
-void planar_rpr_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, double *rates, double *tracked, double *tracked_rate, double *parabola, double *discriminant, double *least, double *null);
+ *   440 operations */
+void planar_rpr_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_rpr_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void planar_rpr_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, float *rates, float *tracked, float *tracked_rate, float *parabola, float *discriminant, float *least, float *null);
+void planar_rpr_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);
 void planar_rpr_speed_ratio_rates_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 #ifdef __cplusplus

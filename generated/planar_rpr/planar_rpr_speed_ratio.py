@@ -1,7 +1,7 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 26402a5c086827a4f2c23e03d47e7e810f8318c3788ba24934559a3a0ecd9a5e.
-785 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs a0516575525d66df1c4905285e28ad6dd5ebd631b8c76c408e2ff5f5fa5b3f75.
+977 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 148 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 178 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -81,21 +81,29 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t27 = t8 * t22 + t18 * t24
     t28 = t17 + (t3 * t10 + l1 * (s1 * tx - c1 * ty))
     t29 = t13 * t13 + t23 * t23
-    t30 = t3 / t8
-    t31 = t14 + np.where(t9 != 0.0, -(t18 * t30), 0.0)
-    t32 = t31 * t31
-    t33 = t13 / t8
-    t34 = t23 + np.where(t9 != 0.0, -(t18 * t33), 0.0)
-    t35 = (t31 + t31) * t34
-    t36 = t34 * t34
-    t37 = np.where(t9 != 0.0, -t30, 0.0)
-    t38 = t17 * (t37 * t37)
-    t39 = t21 - np.where(t9 != 0.0, np.where(t9 != 0.0, -(t30 * (t33 * (t17 + t17))), 0.0), 0.0)
-    t40 = t39 + np.where(t9 != 0.0, -(t26 * t30), 0.0)
-    t41 = np.where(t9 != 0.0, -t33, 0.0)
-    t42 = t28 + t17 * (t41 * t41) + np.where(t9 != 0.0, -(t26 * t33), 0.0)
-    t43 = t40 * (t35 + t35) - t42 * (4.0 * t32) - t38 * (4.0 * t36)
-    t44 = t40 * t40 - t42 * (4.0 * t38)
+    t30 = np.sqrt((1.0 + t10 * t10 + l1 * l1 + l3 * l3))
+    t31 = 1.4210854715202004e-14 * t30
+    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t9, 1.0))
+    t33 = 1.0 - t32
+    t34 = t14 * t33 + t18 * t32
+    t35 = t3 * t33 + t8 * t32
+    t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
+    t37 = t36 / (1.0 - t35 * t36 - t36)
+    t38 = t37 * (t3 * t32 + t8 * t33)
+    t39 = t14 * t32 + t18 * t33 + t34 * t38
+    t40 = t39 * t39
+    t41 = t13 * t37
+    t42 = t23 + t34 * t41
+    t43 = (t39 + t39) * t42
+    t44 = t42 * t42
+    t45 = t17 * t32
+    t46 = t17 * t33 + t45 * (t38 * t38)
+    t47 = t21 * t32 + t26 * t33 + t38 * (t41 * (t45 + t45))
+    t48 = t21 * t33 + t26 * t32
+    t49 = t47 + t38 * t48
+    t50 = t28 + t45 * (t41 * t41) + t41 * t48
+    t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
+    t52 = t49 * t49 - t50 * (4.0 * t46)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -128,20 +136,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t25
     B1[..., 4] = t27
     B1[..., 5] = t29
-    a[..., 0] = t32
-    a[..., 1] = t35
-    a[..., 2] = t36
-    b[..., 0] = t38
-    b[..., 1] = t40
-    b[..., 2] = t42
-    C[..., 0] = t43
-    D[..., 0] = t44
-    discriminant[..., 0] = t44 + kappa * t43
+    a[..., 0] = t40
+    a[..., 1] = t43
+    a[..., 2] = t44
+    b[..., 0] = t46
+    b[..., 1] = t49
+    b[..., 2] = t50
+    C[..., 0] = t51
+    D[..., 0] = t52
+    discriminant[..., 0] = t52 + kappa * t51
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 148 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 181 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -212,21 +220,29 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t27 = t13 * t22 + t23 * t25
     t28 = t11 * (t13 + t13) + t19 * (t25 + t25)
     t29 = t13 * t13 + t25 * t25
-    t30 = t10 / t11
-    t31 = t17 + np.where(t12 != 0.0, -(t19 * t30), 0.0)
-    t32 = t31 * t31
-    t33 = t13 / t11
-    t34 = t25 + np.where(t12 != 0.0, -(t19 * t33), 0.0)
-    t35 = (t31 + t31) * t34
-    t36 = t34 * t34
-    t37 = np.where(t12 != 0.0, -t30, 0.0)
-    t38 = t16 + t15 * (t37 * t37) + np.where(t12 != 0.0, -(t21 * t30), 0.0)
-    t39 = t26 - np.where(t12 != 0.0, np.where(t12 != 0.0, -(t30 * (t33 * (t15 + t15))), 0.0), 0.0)
-    t40 = t39 + np.where(t12 != 0.0, -(t21 * t33), 0.0)
-    t41 = np.where(t12 != 0.0, -t33, 0.0)
-    t42 = t15 * (t41 * t41)
-    t43 = t40 * (t35 + t35) - t42 * (4.0 * t32) - t38 * (4.0 * t36)
-    t44 = t40 * t40 - t42 * (4.0 * t38)
+    t30 = np.sqrt((1.0 + t2 * t2 + l1 * l1 + l3 * l3))
+    t31 = 1.4210854715202004e-14 * t30
+    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t12, 1.0))
+    t33 = 1.0 - t32
+    t34 = t17 * t33 + t19 * t32
+    t35 = t10 * t33 + t11 * t32
+    t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
+    t37 = t36 / (1.0 - t35 * t36 - t36)
+    t38 = t37 * (t10 * t32 + t11 * t33)
+    t39 = t17 * t32 + t19 * t33 + t34 * t38
+    t40 = t39 * t39
+    t41 = t13 * t37
+    t42 = t25 + t34 * t41
+    t43 = (t39 + t39) * t42
+    t44 = t42 * t42
+    t45 = t16 * t33 + t15 * t32
+    t46 = t16 * t32 + t15 * t33 + t45 * (t38 * t38) + t21 * t38
+    t47 = t26 * t32 + t38 * (t41 * (t45 + t45)) + t21 * t41
+    t48 = t26 * t33
+    t49 = t47 + t38 * t48
+    t50 = t45 * (t41 * t41) + t41 * t48
+    t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
+    t52 = t49 * t49 - t50 * (4.0 * t46)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -259,20 +275,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t27
     B1[..., 4] = t28
     B1[..., 5] = t29
-    a[..., 0] = t32
-    a[..., 1] = t35
-    a[..., 2] = t36
-    b[..., 0] = t38
-    b[..., 1] = t40
-    b[..., 2] = t42
-    C[..., 0] = t43
-    D[..., 0] = t44
-    discriminant[..., 0] = t44 + kappa * t43
+    a[..., 0] = t40
+    a[..., 1] = t43
+    a[..., 2] = t44
+    b[..., 0] = t46
+    b[..., 1] = t49
+    b[..., 2] = t50
+    C[..., 0] = t51
+    D[..., 0] = t52
+    discriminant[..., 0] = t52 + kappa * t51
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 131 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 178 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -343,18 +359,29 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t27 = t13 * t22 + t23 * t26
     t28 = t13 * (t11 + t11) + t26 * (t19 + t19)
     t29 = t13 * t13 + t26 * t26
-    t30 = t10 / t11
-    t31 = t17 + np.where(t12 != 0.0, -(t19 * t30), 0.0)
-    t32 = t31 * t31
-    t33 = t13 / t11
-    t34 = t26 + np.where(t12 != 0.0, -(t19 * t33), 0.0)
-    t35 = (t31 + t31) * t34
-    t36 = t34 * t34
-    t37 = t16 + np.where(t12 != 0.0, -(t21 * t30), 0.0)
-    t38 = t25 + np.where(t12 != 0.0, -(t21 * t33), 0.0)
-    t39 = 4.0 * t15
-    t40 = t38 * (t35 + t35) - t32 * t39 - t37 * (4.0 * t36)
-    t41 = t38 * t38 - t37 * t39
+    t30 = np.sqrt((1.0 + t2 * t2 + l1 * l1 + l3 * l3))
+    t31 = 1.4210854715202004e-14 * t30
+    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t12, 1.0))
+    t33 = 1.0 - t32
+    t34 = t17 * t33 + t19 * t32
+    t35 = t10 * t33 + t11 * t32
+    t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
+    t37 = t36 / (1.0 - t35 * t36 - t36)
+    t38 = t37 * (t10 * t32 + t11 * t33)
+    t39 = t17 * t32 + t19 * t33 + t34 * t38
+    t40 = t39 * t39
+    t41 = t13 * t37
+    t42 = t26 + t34 * t41
+    t43 = (t39 + t39) * t42
+    t44 = t42 * t42
+    t45 = t16 * t33
+    t46 = t16 * t32 + t45 * (t38 * t38) + t21 * t38
+    t47 = t25 * t32 + t38 * (t41 * (t45 + t45)) + t21 * t41
+    t48 = t25 * t33
+    t49 = t47 + t38 * t48
+    t50 = t15 + t45 * (t41 * t41) + t41 * t48
+    t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
+    t52 = t49 * t49 - t50 * (4.0 * t46)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -387,30 +414,33 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t27
     B1[..., 4] = t28
     B1[..., 5] = t29
-    a[..., 0] = t32
-    a[..., 1] = t35
-    a[..., 2] = t36
-    b[..., 0] = t37
-    b[..., 1] = t38
-    b[..., 2] = t15
-    C[..., 0] = t40
-    D[..., 0] = t41
-    discriminant[..., 0] = t41 + kappa * t40
+    a[..., 0] = t40
+    a[..., 1] = t43
+    a[..., 2] = t44
+    b[..., 0] = t46
+    b[..., 1] = t49
+    b[..., 2] = t50
+    C[..., 0] = t51
+    D[..., 0] = t52
+    discriminant[..., 0] = t52 + kappa * t51
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 358 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 440 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -418,146 +448,184 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    q3 = q[..., 2]
-    c3 = np.cos(q3)
+    tx = tangent[..., 0]
+    ty = tangent[..., 1]
     q1 = q[..., 0]
     c1 = np.cos(q1)
+    l1 = parameters[..., 0]
     heading2 = parameters[..., 3]
     cos_heading2 = np.cos(heading2)
     s1 = np.sin(q1)
     sin_heading2 = np.sin(heading2)
-    s3 = np.sin(q3)
-    l3 = parameters[..., 2]
-    tx = tangent[..., 0]
-    ty = tangent[..., 1]
-    l1 = parameters[..., 0]
     l2 = parameters[..., 1]
     q2 = q[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
+    s3 = np.sin(q3)
+    l3 = parameters[..., 2]
     kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
+    kappa_s = curvature[..., 1]
 
     # terms
-    t1 = c1 * cos_heading2 - s1 * sin_heading2
-    t2 = c1 * sin_heading2 + cos_heading2 * s1
-    t3 = c3 * t1 - t2 * s3
-    t4 = t3 * l3
-    t5 = c3 * t2 + t1 * s3
-    t6 = l3 * t5
-    t7 = t4 * tx + t6 * ty
-    t8 = t1 * tx + t2 * ty
-    t9 = t2 * tx - t1 * ty
-    t10 = t4 * ty - tx * t6
-    t11 = t7 * t8 - t9 * t10
-    t12 = l2 + q2
-    t13 = t4 + (c1 * l1 + t1 * t12)
-    t14 = t6 + (s1 * l1 + t2 * t12)
-    t15 = tx * t13 + ty * t14
-    t16 = ty * t13 - tx * t14
-    t17 = t10 * t15 - t7 * t16
-    t18 = t9 * t16 - t8 * t15
-    t19 = np.sqrt((t11 * t11 + t17 * t17 + t18 * t18))
-    t20 = t8 + t8
-    t21 = t11 / t19
-    t22 = t17 / t19
-    t23 = t9 * t12
-    t24 = t21 * t21
-    t25 = np.where(t19 != 0.0, np.where(t19 != 0.0, t20 * t21 * t22, 0.0), 0.0) - np.where(t19 != 0.0, np.where(t19 != 0.0, t23 * t24, 0.0), 0.0)
-    t26 = s1 * tx - c1 * ty
-    t27 = l1 * t26
-    t28 = tx * t5 - t3 * ty
-    t29 = l3 * t28
-    t30 = t18 / t19
-    t31 = t21 + t30
-    t32 = t25 - np.where(t19 != 0.0, np.where(t19 != 0.0, t24 * t27, 0.0), 0.0) - np.where(t19 != 0.0, np.where(t19 != 0.0, t29 * (t31 * t31), 0.0), 0.0)
-    t33 = np.where(t32 != 0.0, 1.0, 0.0)
-    t34 = (np.where(t19 != 0.0, t9 * t30, 0.0) - np.where(t19 != 0.0, t7 * t22, 0.0)) / t19
-    t35 = (np.where(t19 != 0.0, t7 * t21, 0.0) - np.where(t19 != 0.0, t15 * t30, 0.0)) / t19
-    t36 = t9 + t9
-    t37 = np.where(t19 != 0.0, np.where(t19 != 0.0, t20 * (t22 * t34 + t21 * t35), 0.0), 0.0) - np.where(t19 != 0.0, np.where(t19 != 0.0, t21 * (t34 * (t12 * t36)), 0.0), 0.0)
-    t38 = t37 - np.where(t19 != 0.0, np.where(t19 != 0.0, t21 * (t34 * (l1 * (t26 + t26))), 0.0), 0.0)
-    t39 = (np.where(t19 != 0.0, t15 * t22, 0.0) - np.where(t19 != 0.0, t9 * t21, 0.0)) / t19
-    t40 = t34 + t39
-    t41 = t38 - np.where(t19 != 0.0, np.where(t19 != 0.0, t31 * (l3 * (t28 + t28) * t40), 0.0), 0.0)
-    t42 = t33 + np.where((1.0 - t33) != 0.0, 1.0 - np.where(t41 != 0.0, 1.0, 0.0), 0.0)
-    t43 = np.where(t19 != 0.0, t34, 0.0)
-    t44 = t34 * t34
-    t45 = np.where(t19 != 0.0, np.where(t19 != 0.0, t35 * (t20 * t34), 0.0), 0.0) - np.where(t19 != 0.0, np.where(t19 != 0.0, t23 * t44, 0.0), 0.0)
-    t46 = t45 - np.where(t19 != 0.0, np.where(t19 != 0.0, t27 * t44, 0.0), 0.0) - np.where(t19 != 0.0, np.where(t19 != 0.0, t29 * (t40 * t40), 0.0), 0.0)
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
+    t6 = c1 * cos_heading2 - s1 * sin_heading2
+    t7 = l2 + q2
+    t8 = c1 * sin_heading2 + cos_heading2 * s1
+    t9 = t6 * c3 - t8 * s3
+    t10 = t9 * l3
+    t11 = c1 * l1 + t6 * t7 + t10
+    t12 = t3 / t4
+    t13 = c3 * t8 + t6 * s3
+    t14 = l3 * t13
+    t15 = l1 * s1 + t7 * t8 + t14
+    t16 = t5 * t11 + t12 * t15
+    t17 = t5 * t8 - t6 * t12
+    t18 = t5 * t10 + t12 * t14
+    t19 = t11 * t12 - t5 * t15
+    t20 = t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19
+    t21 = t5 * t6 + t8 * t12
+    t22 = t10 * t12 - t5 * t14
+    t23 = np.sqrt((t20 + t21 * t21 + t22 * t22))
+    t24 = 1.0 + t7 * t7 + l1 * l1 + l3 * l3
+    t25 = t18 * t21 - t17 * t22
+    t26 = t16 * t22 - t18 * t19
+    t27 = t17 * t19 - t16 * t21
+    t28 = np.sqrt((t25 * t25 + t26 * t26 + t27 * t27))
+    t29 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t23 * np.sqrt(t24) - np.copysign(t28, 1.0))
+    t30 = 0.5 - t29
+    t31 = t30 / (1.0 + t28 * t30 - t30)
+    t32 = t27 * t31
+    t33 = t26 * t31
+    t34 = t31 * (t17 * t32 - t18 * t33)
+    t35 = t25 * t31
+    t36 = t21 + t21
+    t37 = t31 * (t18 * t35 - t16 * t32)
+    t38 = t7 * t17
+    t39 = t34 * t34
+    t40 = t5 * s1 - c1 * t12
+    t41 = l1 * t40
+    t42 = t5 * t13 - t9 * t12
+    t43 = l3 * t42
+    t44 = t31 * (t16 * t33 - t17 * t35)
+    t45 = t34 + t44
+    t46 = t34 * t36 * t37 - t38 * t39 - t39 * t41 - t43 * (t45 * t45)
     t47 = t46 - kappa
-    t48 = t41 * t41 - t32 * (4.0 * t47)
-    t49 = np.sqrt(np.maximum(0.0, t48))
-    t50 = -0.5 * t41 - 0.5 * np.copysign(t49, t41)
-    t51 = t50 / t32
-    t52 = t43 + np.where(t32 != 0.0, np.where(t19 != 0.0, t21 * t51, 0.0), 0.0)
-    t53 = np.where(t19 != 0.0, t35, 0.0)
-    t54 = t53 + np.where(t32 != 0.0, np.where(t19 != 0.0, t22 * t51, 0.0), 0.0)
-    t55 = np.where(t19 != 0.0, t39, 0.0)
-    t56 = t55 + np.where(t32 != 0.0, np.where(t19 != 0.0, t30 * t51, 0.0), 0.0)
-    t57 = np.where(t49 != 0.0, 1.0, 0.0)
-    t58 = 1.0 - t57
-    t59 = t57 + np.where(t58 != 0.0, t42, 0.0)
-    t60 = np.where(t57 != 0.0, np.where(t50 != 0.0, t47 / t50, 0.0), 0.0) + np.where(t58 != 0.0, np.where(t32 != 0.0, t51, 0.0), 0.0)
-    t61 = t34 + t21 * t60
-    t62 = t35 + t22 * t60
-    t63 = t39 + t30 * t60
-    t64 = t52 * t52
-    t65 = np.where(t42 != 0.0, np.where(t42 != 0.0, t54 * (t20 * t52), 0.0), 0.0) - np.where(t42 != 0.0, np.where(t42 != 0.0, t23 * t64, 0.0), 0.0)
-    t66 = t52 + t56
-    t67 = np.where(t42 != 0.0, t66, 0.0)
-    t68 = t67 * t67
-    t69 = t65 - np.where(t42 != 0.0, np.where(t42 != 0.0, t27 * t64, 0.0), 0.0) - t29 * t68
-    t70 = t61 * t61
-    t71 = np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t62 * (t20 * t61), 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t23 * t70, 0.0), 0.0), 0.0), 0.0)
-    t72 = t61 + t63
-    t73 = np.where(t59 != 0.0, np.where(t19 != 0.0, t72, 0.0), 0.0)
-    t74 = t73 * t73
-    t75 = t71 - np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t27 * t70, 0.0), 0.0), 0.0), 0.0) - t29 * t74
-    t76 = t8 * t12
-    t77 = l1 * (c1 * tx + s1 * ty)
-    t78 = l3 * (t3 * tx + t5 * ty)
-    t79 = np.where(t42 != 0.0, np.where(t42 != 0.0, t64 * t76 + t64 * t77, 0.0), 0.0) + t68 * t78
-    t80 = -3.0 * t69 * (t79 + np.where(t42 != 0.0, np.where(t42 != 0.0, t54 * (t36 * t52), 0.0), 0.0))
-    t81 = t52 * t64
-    t82 = t80 + np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t76 * t81, 0.0), 0.0), 0.0) + np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t77 * t81, 0.0), 0.0), 0.0)
-    t83 = 3.0 * t9
-    t84 = t82 + np.where(t42 != 0.0, t78 * (t66 * t68), 0.0) + np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t64 * (t54 * t83), 0.0), 0.0), 0.0)
-    t85 = np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t70 * t76 + t70 * t77, 0.0), 0.0), 0.0), 0.0)
-    t86 = t85 + t74 * t78 + np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t62 * (t36 * t61), 0.0), 0.0), 0.0), 0.0)
-    t87 = t61 * t70
-    t88 = np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t76 * t87, 0.0), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t89 = np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t77 * t87, 0.0), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t90 = -3.0 * t75 * t86 + t88 + t89 + np.where(t59 != 0.0, np.where(t19 != 0.0, t78 * (t72 * t74), 0.0), 0.0)
-    t91 = np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, np.where(t59 != 0.0, np.where(t19 != 0.0, t70 * (t62 * t83), 0.0), 0.0), 0.0), 0.0), 0.0)
+    t48 = t24 * (t23 * (1.4210854715202004e-14 * t31))
+    t49 = t35 * t35
+    t50 = t32 + t35
+    t51 = t33 * (t35 * t36) - t38 * t49 - t41 * t49 - t43 * (t50 * t50)
+    t52 = np.copysign(t51, 1.0)
+    t53 = 0.5 - 0.5 * np.copysign(1.0, t48 - t52)
+    t54 = t39 + t37 * t37 + t44 * t44
+    t55 = np.sqrt(t54)
+    t56 = t48 * (t55 + t55)
+    t57 = t17 + t17
+    t58 = t36 * (t33 * t34 + t35 * t37) - t35 * (t34 * (t7 * t57))
+    t59 = t58 - t35 * (t34 * (l1 * (t40 + t40))) - t50 * (t45 * (l3 * (t42 + t42)))
+    t60 = np.copysign(t59, 1.0)
+    t61 = t48 * t54
+    t62 = np.copysign(t47, 1.0)
+    t63 = (t56 + t56) * t60 + t52 * (4.0 * t61) + 4.0 * t48 * t62
+    t64 = t59 * t59 - t51 * (4.0 * t47)
+    t65 = np.maximum(0.0, t64)
+    t66 = t53 * (0.5 - 0.5 * np.copysign(1.0, t63 - np.copysign(t65, 1.0)))
+    t67 = t66 * (-0.5 * t59 - 0.5 * np.copysign(np.sqrt(t65), t59))
+    t68 = 0.5 - 0.5 * np.copysign(1.0, t56 - t60)
+    t69 = 1.0 - t53
+    t70 = t68 * t69
+    t71 = t53 * t59 / (1.0 + t51 * (t53 + t53) - t53) + t47 * t70 / (1.0 + t59 * t70 - t70)
+    t72 = t47 * t66 / (1.0 + t67 - t66) - (1.0 - t66) * t71
+    t73 = t30 * (t34 + t35 * t72)
+    t74 = t30 * (t37 + t33 * t72)
+    t75 = t30 * (t44 + t32 * t72)
+    t76 = t30 * t66
+    t77 = t67 / (1.0 + t51 * t66 - t66)
+    t78 = t76 * (t34 + t35 * t77)
+    t79 = t76 * (t37 + t33 * t77)
+    t80 = t76 * (t44 + t32 * t77)
+    t81 = t73 * leads1 + t74 * leads2 + t75 * leads3
+    t82 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t73, 1.0), np.copysign(t74, 1.0)), np.copysign(t75, 1.0)) - np.copysign(t81, 1.0)
+    t83 = 0.5 - 0.5 * np.copysign(1.0, t82)
+    t84 = t83 / (1.0 + t81 * t83 - t83)
+    t85 = t78 * leads1 + t79 * leads2 + t80 * leads3
+    t86 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t78, 1.0), np.copysign(t79, 1.0)), np.copysign(t80, 1.0)) - np.copysign(t85, 1.0)
+    t87 = 0.5 - 0.5 * np.copysign(1.0, t86)
+    t88 = t87 / (1.0 + t85 * t87 - t87)
+    t89 = t73 * t73
+    t90 = t73 + t75
+    t91 = t90 * t90
+    t92 = t74 * (t36 * t73) - t38 * t89 - t41 * t89 - t43 * t91
+    t93 = t78 * t78
+    t94 = t78 + t80
+    t95 = t94 * t94
+    t96 = t79 * (t36 * t78) - t38 * t93 - t41 * t93 - t43 * t95
+    t97 = t7 * t21
+    t98 = l1 * (t5 * c1 + s1 * t12)
+    t99 = l3 * (t5 * t9 + t12 * t13)
+    t100 = t89 * t97 + t89 * t98 + t91 * t99 + t74 * (t57 * t73)
+    t101 = t73 * t89
+    t102 = -3.0 * t92 * t100 + t97 * t101 + t98 * t101 + t99 * (t90 * t91)
+    t103 = 3.0 * t17
+    t104 = t102 + t89 * (t74 * t103)
+    t105 = t93 * t97 + t93 * t98 + t95 * t99 + t79 * (t57 * t78)
+    t106 = t78 * t93
+    t107 = -3.0 * t96 * t105 + t97 * t106 + t98 * t106 + t99 * (t94 * t95)
+    t108 = t107 + t93 * (t79 * t103)
+    t109 = 0.5 - 0.5 * np.copysign(1.0, t63 - np.copysign(np.maximum(0.0, -t64), 1.0))
+    t110 = t53 * t109
+    t111 = 4.0 + t30 * (t53 * t110 + t69 * (2.0 + t68)) - 4.0 * t30
+    t112 = np.copysign((-(t108 + kappa_s)), 1.0) - np.copysign((-(t104 + kappa_s)), 1.0)
+    t113 = t69 * (1.0 - t68) * (0.5 + 0.5 * np.copysign(1.0, t61 - t62))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = np.where(t42 != 0.0, t52, 0.0)
-    rates[..., 1] = np.where(t42 != 0.0, t54, 0.0)
-    rates[..., 2] = np.where(t42 != 0.0, t56, 0.0)
-    rates[..., 3] = np.where(t59 != 0.0, np.where(t19 != 0.0, t61, 0.0), 0.0)
-    rates[..., 4] = np.where(t59 != 0.0, np.where(t19 != 0.0, t62, 0.0), 0.0)
-    rates[..., 5] = np.where(t59 != 0.0, np.where(t19 != 0.0, t63, 0.0), 0.0)
-    tracked[..., 0] = t69
-    tracked[..., 1] = t75
-    tracked_rate[..., 0] = -t84
-    tracked_rate[..., 1] = -(t90 + np.where(t59 != 0.0, t91, 0.0))
-    parabola[..., 0] = t32
-    parabola[..., 1] = t41
+    rates[..., 0] = t73
+    rates[..., 1] = t74
+    rates[..., 2] = t75
+    rates[..., 3] = t78
+    rates[..., 4] = t79
+    rates[..., 5] = t80
+    ratios[..., 0] = t84 * (t73 + leads1 * (t74 - t73))
+    ratios[..., 1] = t84 * (t75 + leads3 * (t74 - t75))
+    ratios[..., 2] = t88 * (t78 + leads1 * (t79 - t78))
+    ratios[..., 3] = t88 * (t80 + leads3 * (t79 - t80))
+    tracked[..., 0] = t92
+    tracked[..., 1] = t96
+    tracked_rate[..., 0] = -t104
+    tracked_rate[..., 1] = -t108
+    verdict[..., 0] = t111
+    verdict[..., 1] = t30 * (1.0 + t66)
+    verdict[..., 2] = t66 * (0.5 * t30) * (1.0 - np.copysign(1.0, t112))
+    verdict[..., 3] = t30 * (t70 + t53 * (1.0 - t110) + t113)
+    verdict[..., 4] = t76 * (1.0 - t87) + t30 * (1.0 - t83)
+    parabola[..., 0] = t51
+    parabola[..., 1] = t59
     parabola[..., 2] = t46
-    discriminant[..., 0] = t48
-    least[..., 0] = t43
-    least[..., 1] = t53
-    least[..., 2] = t55
-    null[..., 0] = np.where(t19 != 0.0, t21, 0.0)
-    null[..., 1] = np.where(t19 != 0.0, t22, 0.0)
-    null[..., 2] = np.where(t19 != 0.0, t30, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    slack[..., 0] = t64
+    least[..., 0] = t34
+    least[..., 1] = t37
+    least[..., 2] = t44
+    null[..., 0] = t35
+    null[..., 1] = t33
+    null[..., 2] = t32
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

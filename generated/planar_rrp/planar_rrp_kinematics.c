@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs f172aea0b8a1ede5a96467f404addb2fb62a1ed52b2e0fdb0e5553f2cc72e42d.
+ * Made from templates/kernel.c.j2; inputs 77eb7f446fdb85c6c462267325746849083323b8f25f4e1f4a82e9ba55b3b881.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "f172aea0b8a1ede5a96467f404addb2fb62a1ed52b2e0fdb0e5553f2cc72e42d";
+const char planar_rrp_kinematics_digest[] = "77eb7f446fdb85c6c462267325746849083323b8f25f4e1f4a82e9ba55b3b881";
 #endif
 
 #define LANES 64

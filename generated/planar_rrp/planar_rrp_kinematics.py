@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f172aea0b8a1ede5a96467f404addb2fb62a1ed52b2e0fdb0e5553f2cc72e42d.
+Made from templates/kernel.py.j2; inputs 77eb7f446fdb85c6c462267325746849083323b8f25f4e1f4a82e9ba55b3b881.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cce5e3f2b3eb1dfbedb3ade40e1fa2cdef829a2fdc73617adaa687af08196b49.
+Made from templates/kernel.py.j2; inputs 3acee4c3a9fff8743cf8081643465a3f25c2b376663a45c59dba685f4f85149a.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

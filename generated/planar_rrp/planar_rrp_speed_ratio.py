@@ -1,7 +1,7 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d547eb0eab673bb17063998f94b24c332a85a1110f2f7694d7941375899f9d24.
-787 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs ef6eb945134078ceff275a6414a1e39abd11c12bca66ec37a195633c423c31f7.
+1006 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 141 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 189 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading3)
@@ -85,20 +85,29 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t31 = t13 * t27 + t22 * t29
     t32 = t18 + (t16 + l1 * (s1 * tx - c1 * ty))
     t33 = t15 * t15 + t28 * t28
-    t34 = t12 / t13
-    t35 = t20 + np.where(t14 != 0.0, -(t22 * t34), 0.0)
-    t36 = t35 * t35
-    t37 = t15 / t13
-    t38 = t28 + np.where(t14 != 0.0, -(t22 * t37), 0.0)
-    t39 = (t35 + t35) * t38
-    t40 = t38 * t38
-    t41 = np.where(t14 != 0.0, -(t24 * t34), 0.0)
-    t42 = t19 + t41
-    t43 = np.where(t14 != 0.0, -(t24 * t37), 0.0)
-    t44 = t41 + (t26 + t43)
-    t45 = t32 + t43
-    t46 = t44 * (t39 + t39) - t45 * (4.0 * t36) - t42 * (4.0 * t40)
-    t47 = t44 * t44 - t45 * (4.0 * t42)
+    t34 = np.sqrt((1.0 + t5 * t5 + l1 * l1 + l2 * l2))
+    t35 = 1.4210854715202004e-14 * t34
+    t36 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign(t14, 1.0))
+    t37 = 1.0 - t36
+    t38 = t20 * t37 + t22 * t36
+    t39 = t12 * t37 + t13 * t36
+    t40 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign((-t39), 1.0))
+    t41 = t40 / (1.0 - t39 * t40 - t40)
+    t42 = t41 * (t12 * t36 + t13 * t37)
+    t43 = t20 * t36 + t22 * t37 + t38 * t42
+    t44 = t43 * t43
+    t45 = t15 * t41
+    t46 = t28 + t38 * t45
+    t47 = (t43 + t43) * t46
+    t48 = t46 * t46
+    t49 = t19 * t37
+    t50 = t19 * t36 + t49 * (t42 * t42) + t24 * t42
+    t51 = t24 * t37 + t26 * t36 + t42 * (t45 * (t49 + t49))
+    t52 = t24 * t36 + t26 * t37
+    t53 = t51 + t24 * t45 + t42 * t52
+    t54 = t32 + t49 * (t45 * t45) + t45 * t52
+    t55 = t53 * (t47 + t47) - t54 * (4.0 * t44) - t50 * (4.0 * t48)
+    t56 = t53 * t53 - t54 * (4.0 * t50)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -131,20 +140,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t30
     B1[..., 4] = t31
     B1[..., 5] = t33
-    a[..., 0] = t36
-    a[..., 1] = t39
-    a[..., 2] = t40
-    b[..., 0] = t42
-    b[..., 1] = t44
-    b[..., 2] = t45
-    C[..., 0] = t46
-    D[..., 0] = t47
-    discriminant[..., 0] = t47 + kappa * t46
+    a[..., 0] = t44
+    a[..., 1] = t47
+    a[..., 2] = t48
+    b[..., 0] = t50
+    b[..., 1] = t53
+    b[..., 2] = t54
+    C[..., 0] = t55
+    D[..., 0] = t56
+    discriminant[..., 0] = t56 + kappa * t55
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 141 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 189 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading3)
@@ -219,20 +228,29 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t31 = t11 * (t15 + t15) + t22 * (t29 + t29)
     t32 = t16 + t18
     t33 = t15 * t15 + t29 * t29
-    t34 = t10 / t11
-    t35 = t20 + np.where(t12 != 0.0, -(t22 * t34), 0.0)
-    t36 = t35 * t35
-    t37 = t15 / t11
-    t38 = t29 + np.where(t12 != 0.0, -(t22 * t37), 0.0)
-    t39 = (t35 + t35) * t38
-    t40 = t38 * t38
-    t41 = np.where(t12 != 0.0, -(t24 * t34), 0.0)
-    t42 = t19 + t41
-    t43 = np.where(t12 != 0.0, -(t24 * t37), 0.0)
-    t44 = t41 + (t28 + t43)
-    t45 = t32 + t43
-    t46 = t44 * (t39 + t39) - t45 * (4.0 * t36) - t42 * (4.0 * t40)
-    t47 = t44 * t44 - t45 * (4.0 * t42)
+    t34 = np.sqrt((1.0 + t5 * t5 + l1 * l1 + l2 * l2))
+    t35 = 1.4210854715202004e-14 * t34
+    t36 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign(t12, 1.0))
+    t37 = 1.0 - t36
+    t38 = t20 * t37 + t22 * t36
+    t39 = t10 * t37 + t11 * t36
+    t40 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign((-t39), 1.0))
+    t41 = t40 / (1.0 - t39 * t40 - t40)
+    t42 = t41 * (t10 * t36 + t11 * t37)
+    t43 = t20 * t36 + t22 * t37 + t38 * t42
+    t44 = t43 * t43
+    t45 = t15 * t41
+    t46 = t29 + t38 * t45
+    t47 = (t43 + t43) * t46
+    t48 = t46 * t46
+    t49 = t19 * t37
+    t50 = t19 * t36 + t49 * (t42 * t42) + t24 * t42
+    t51 = t24 * t37 + t28 * t36 + t42 * (t45 * (t49 + t49))
+    t52 = t24 * t36 + t28 * t37
+    t53 = t51 + t24 * t45 + t42 * t52
+    t54 = t32 + t49 * (t45 * t45) + t45 * t52
+    t55 = t53 * (t47 + t47) - t54 * (4.0 * t44) - t50 * (4.0 * t48)
+    t56 = t53 * t53 - t54 * (4.0 * t50)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -265,20 +283,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t30
     B1[..., 4] = t31
     B1[..., 5] = t33
-    a[..., 0] = t36
-    a[..., 1] = t39
-    a[..., 2] = t40
-    b[..., 0] = t42
-    b[..., 1] = t44
-    b[..., 2] = t45
-    C[..., 0] = t46
-    D[..., 0] = t47
-    discriminant[..., 0] = t47 + kappa * t46
+    a[..., 0] = t44
+    a[..., 1] = t47
+    a[..., 2] = t48
+    b[..., 0] = t50
+    b[..., 1] = t53
+    b[..., 2] = t54
+    C[..., 0] = t55
+    D[..., 0] = t56
+    discriminant[..., 0] = t56 + kappa * t55
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 163 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 186 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading3)
@@ -353,21 +371,27 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t31 = t15 * t26 + t27 * t29
     t32 = t15 * (t13 + t13) + t29 * (t23 + t23)
     t33 = t15 * t15 + t29 * t29
-    t34 = t10 / t13
-    t35 = t20 + np.where(t14 != 0.0, -(t23 * t34), 0.0)
-    t36 = t35 * t35
-    t37 = t15 / t13
-    t38 = t29 + np.where(t14 != 0.0, -(t23 * t37), 0.0)
-    t39 = (t35 + t35) * t38
-    t40 = t38 * t38
-    t41 = np.where(t14 != 0.0, -t34, 0.0)
-    t42 = t19 + t22 * (t41 * t41) + np.where(t14 != 0.0, -(t25 * t34), 0.0)
-    t43 = t30 - np.where(t14 != 0.0, np.where(t14 != 0.0, -(t34 * (t37 * (t22 + t22))), 0.0), 0.0)
-    t44 = t43 + np.where(t14 != 0.0, -(t25 * t37), 0.0) + np.where(t14 != 0.0, -(t30 * t34), 0.0)
-    t45 = np.where(t14 != 0.0, -t37, 0.0)
-    t46 = t22 * (t45 * t45) + np.where(t14 != 0.0, -(t30 * t37), 0.0)
-    t47 = t44 * (t39 + t39) - t46 * (4.0 * t36) - t42 * (4.0 * t40)
-    t48 = t44 * t44 - t46 * (4.0 * t42)
+    t34 = np.sqrt((1.0 + t5 * t5 + l1 * l1 + l2 * l2))
+    t35 = 1.4210854715202004e-14 * t34
+    t36 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign(t14, 1.0))
+    t37 = 1.0 - t36
+    t38 = t20 * t37 + t23 * t36
+    t39 = t10 * t37 + t13 * t36
+    t40 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign((-t39), 1.0))
+    t41 = t40 / (1.0 - t39 * t40 - t40)
+    t42 = t41 * (t10 * t36 + t13 * t37)
+    t43 = t20 * t36 + t23 * t37 + t38 * t42
+    t44 = t43 * t43
+    t45 = t15 * t41
+    t46 = t29 + t38 * t45
+    t47 = (t43 + t43) * t46
+    t48 = t46 * t46
+    t49 = t19 * t37 + t22 * t36
+    t50 = t19 * t36 + t22 * t37 + t49 * (t42 * t42) + t25 * t42
+    t51 = t30 + t42 * (t45 * (t49 + t49)) + t25 * t45 + t30 * t42
+    t52 = t49 * (t45 * t45) + t30 * t45
+    t53 = t51 * (t47 + t47) - t52 * (4.0 * t44) - t50 * (4.0 * t48)
+    t54 = t51 * t51 - t52 * (4.0 * t50)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -400,30 +424,33 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t31
     B1[..., 4] = t32
     B1[..., 5] = t33
-    a[..., 0] = t36
-    a[..., 1] = t39
-    a[..., 2] = t40
-    b[..., 0] = t42
-    b[..., 1] = t44
-    b[..., 2] = t46
-    C[..., 0] = t47
-    D[..., 0] = t48
-    discriminant[..., 0] = t48 + kappa * t47
+    a[..., 0] = t44
+    a[..., 1] = t47
+    a[..., 2] = t48
+    b[..., 0] = t50
+    b[..., 1] = t51
+    b[..., 2] = t52
+    C[..., 0] = t53
+    D[..., 0] = t54
+    discriminant[..., 0] = t54 + kappa * t53
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 342 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 442 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading3)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -431,147 +458,188 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    heading3 = parameters[..., 3]
-    cos_heading3 = np.cos(heading3)
-    q1 = q[..., 0]
-    c1 = np.cos(q1)
-    q2 = q[..., 1]
-    s2 = np.sin(q2)
-    c2 = np.cos(q2)
-    s1 = np.sin(q1)
-    sin_heading3 = np.sin(heading3)
     tx = tangent[..., 0]
     ty = tangent[..., 1]
+    q1 = q[..., 0]
+    c1 = np.cos(q1)
     l1 = parameters[..., 0]
+    q2 = q[..., 1]
+    c2 = np.cos(q2)
+    s1 = np.sin(q1)
+    s2 = np.sin(q2)
     l2 = parameters[..., 1]
+    heading3 = parameters[..., 3]
+    cos_heading3 = np.cos(heading3)
+    sin_heading3 = np.sin(heading3)
     l3 = parameters[..., 2]
     q3 = q[..., 2]
     kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
+    kappa_s = curvature[..., 1]
 
     # terms
-    t1 = c1 * s2 + c2 * s1
-    t2 = c1 * c2 - s2 * s1
-    t3 = cos_heading3 * t1 + t2 * sin_heading3
-    t4 = cos_heading3 * t2 - t1 * sin_heading3
-    t5 = t3 * tx - t4 * ty
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
     t6 = c1 * l1
-    t7 = l3 + q3
-    t8 = t6 + t2 * l2 + t4 * t7
-    t9 = t8 - t6
-    t10 = s1 * l1
-    t11 = t10 + t1 * l2 + t3 * t7
-    t12 = t11 - t10
-    t13 = ty * t9 - tx * t12
-    t14 = tx * t9 + ty * t12
-    t15 = tx * t4 + t3 * ty
-    t16 = t5 * t13 - t14 * t15
-    t17 = tx * t8 + ty * t11
-    t18 = ty * t8 - tx * t11
-    t19 = t15 * t17 - t5 * t18
-    t20 = t14 * t18 - t13 * t17
-    t21 = np.sqrt((t16 * t16 + t19 * t19 + t20 * t20))
-    t22 = t15 + t15
-    t23 = t20 / t21
-    t24 = t16 / t21
-    t25 = t19 / t21
-    t26 = t24 + t25
-    t27 = t5 * t7
-    t28 = t26 * t26
-    t29 = np.where(t21 != 0.0, np.where(t21 != 0.0, t22 * t23 * t26, 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, t27 * t28, 0.0), 0.0)
-    t30 = s1 * tx - c1 * ty
-    t31 = l1 * t30
-    t32 = t1 * tx - t2 * ty
-    t33 = l2 * t32
-    t34 = t29 - np.where(t21 != 0.0, np.where(t21 != 0.0, t31 * (t24 * t24), 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, t28 * t33, 0.0), 0.0)
-    t35 = np.where(t34 != 0.0, 1.0, 0.0)
-    t36 = (np.where(t21 != 0.0, t17 * t25, 0.0) - np.where(t21 != 0.0, t14 * t24, 0.0)) / t21
-    t37 = (np.where(t21 != 0.0, t14 * t23, 0.0) - np.where(t21 != 0.0, t5 * t25, 0.0)) / t21
-    t38 = (np.where(t21 != 0.0, t5 * t24, 0.0) - np.where(t21 != 0.0, t17 * t23, 0.0)) / t21
-    t39 = t37 + t38
-    t40 = t5 + t5
-    t41 = np.where(t21 != 0.0, np.where(t21 != 0.0, t22 * (t26 * t36 + t23 * t39), 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, t26 * (t39 * (t7 * t40)), 0.0), 0.0)
-    t42 = t41 - np.where(t21 != 0.0, np.where(t21 != 0.0, t24 * (t37 * (l1 * (t30 + t30))), 0.0), 0.0)
-    t43 = t42 - np.where(t21 != 0.0, np.where(t21 != 0.0, t26 * (t39 * (l2 * (t32 + t32))), 0.0), 0.0)
-    t44 = t35 + np.where((1.0 - t35) != 0.0, 1.0 - np.where(t43 != 0.0, 1.0, 0.0), 0.0)
-    t45 = np.where(t21 != 0.0, t37, 0.0)
-    t46 = t39 * t39
-    t47 = np.where(t21 != 0.0, np.where(t21 != 0.0, t39 * (t22 * t36), 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, t27 * t46, 0.0), 0.0)
-    t48 = t47 - np.where(t21 != 0.0, np.where(t21 != 0.0, t31 * (t37 * t37), 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, t33 * t46, 0.0), 0.0)
-    t49 = t48 - kappa
-    t50 = t43 * t43 - t34 * (4.0 * t49)
-    t51 = np.sqrt(np.maximum(0.0, t50))
-    t52 = -0.5 * t43 - 0.5 * np.copysign(t51, t43)
-    t53 = t52 / t34
-    t54 = t45 + np.where(t34 != 0.0, np.where(t21 != 0.0, t24 * t53, 0.0), 0.0)
-    t55 = np.where(t21 != 0.0, t38, 0.0)
-    t56 = t55 + np.where(t34 != 0.0, np.where(t21 != 0.0, t25 * t53, 0.0), 0.0)
-    t57 = np.where(t21 != 0.0, t36, 0.0)
-    t58 = t57 + np.where(t34 != 0.0, np.where(t21 != 0.0, t23 * t53, 0.0), 0.0)
-    t59 = np.where(t51 != 0.0, 1.0, 0.0)
-    t60 = 1.0 - t59
-    t61 = t59 + np.where(t60 != 0.0, t44, 0.0)
-    t62 = np.where(t59 != 0.0, np.where(t52 != 0.0, t49 / t52, 0.0), 0.0) + np.where(t60 != 0.0, np.where(t34 != 0.0, t53, 0.0), 0.0)
-    t63 = t37 + t24 * t62
-    t64 = t38 + t25 * t62
-    t65 = t36 + t23 * t62
-    t66 = t54 + t56
-    t67 = np.where(t44 != 0.0, t66, 0.0)
-    t68 = t67 * t67
-    t69 = t54 * t54
-    t70 = np.where(t44 != 0.0, np.where(t44 != 0.0, t22 * t58 * t66, 0.0), 0.0) - t27 * t68 - np.where(t44 != 0.0, np.where(t44 != 0.0, t31 * t69, 0.0), 0.0)
-    t71 = t70 - t33 * t68
-    t72 = t63 + t64
-    t73 = np.where(t61 != 0.0, np.where(t21 != 0.0, t72, 0.0), 0.0)
-    t74 = t73 * t73
-    t75 = np.where(t61 != 0.0, np.where(t21 != 0.0, np.where(t61 != 0.0, np.where(t21 != 0.0, t22 * t65 * t72, 0.0), 0.0), 0.0), 0.0) - t27 * t74
-    t76 = t63 * t63
-    t77 = t75 - np.where(t61 != 0.0, np.where(t21 != 0.0, np.where(t61 != 0.0, np.where(t21 != 0.0, t31 * t76, 0.0), 0.0), 0.0), 0.0) - t33 * t74
-    t78 = t7 * t15
-    t79 = l1 * (c1 * tx + s1 * ty)
-    t80 = l2 * (t2 * tx + t1 * ty)
-    t81 = t68 * t78 + np.where(t44 != 0.0, np.where(t44 != 0.0, t69 * t79, 0.0), 0.0) + t68 * t80
-    t82 = -3.0 * t71 * (t81 + np.where(t44 != 0.0, np.where(t44 != 0.0, t66 * (t40 * t58), 0.0), 0.0))
-    t83 = t66 * t68
-    t84 = t82 + np.where(t44 != 0.0, t78 * t83, 0.0) + np.where(t44 != 0.0, np.where(t44 != 0.0, np.where(t44 != 0.0, t79 * (t54 * t69), 0.0), 0.0), 0.0)
-    t85 = 3.0 * t5
-    t86 = t84 + np.where(t44 != 0.0, t80 * t83, 0.0) + np.where(t44 != 0.0, t68 * (t58 * t85), 0.0)
-    t87 = t74 * t78 + np.where(t61 != 0.0, np.where(t21 != 0.0, np.where(t61 != 0.0, np.where(t21 != 0.0, t76 * t79, 0.0), 0.0), 0.0), 0.0)
-    t88 = t87 + t74 * t80 + np.where(t61 != 0.0, np.where(t21 != 0.0, np.where(t61 != 0.0, np.where(t21 != 0.0, t72 * (t40 * t65), 0.0), 0.0), 0.0), 0.0)
-    t89 = t72 * t74
-    t90 = np.where(t21 != 0.0, np.where(t61 != 0.0, np.where(t21 != 0.0, np.where(t61 != 0.0, np.where(t21 != 0.0, t79 * (t63 * t76), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t91 = -3.0 * t77 * t88 + np.where(t61 != 0.0, np.where(t21 != 0.0, t78 * t89, 0.0), 0.0) + np.where(t61 != 0.0, t90, 0.0)
-    t92 = t91 + np.where(t61 != 0.0, np.where(t21 != 0.0, t80 * t89, 0.0), 0.0) + np.where(t61 != 0.0, np.where(t21 != 0.0, t74 * (t65 * t85), 0.0), 0.0)
+    t7 = c1 * c2 - s1 * s2
+    t8 = c1 * s2 + c2 * s1
+    t9 = t7 * cos_heading3 - t8 * sin_heading3
+    t10 = l3 + q3
+    t11 = t6 + t7 * l2 + t9 * t10
+    t12 = t3 / t4
+    t13 = l1 * s1
+    t14 = cos_heading3 * t8 + t7 * sin_heading3
+    t15 = t13 + l2 * t8 + t10 * t14
+    t16 = t5 * t11 + t12 * t15
+    t17 = t11 - t6
+    t18 = t15 - t13
+    t19 = t5 * t17 + t12 * t18
+    t20 = t5 * t14 - t9 * t12
+    t21 = t11 * t12 - t5 * t15
+    t22 = t16 * t16 + t19 * t19 + t20 * t20 + t21 * t21
+    t23 = t12 * t17 - t5 * t18
+    t24 = t5 * t9 + t12 * t14
+    t25 = np.sqrt((t22 + t23 * t23 + t24 * t24))
+    t26 = 1.0 + t10 * t10 + l1 * l1 + l2 * l2
+    t27 = t20 * t23 - t19 * t24
+    t28 = t16 * t24 - t20 * t21
+    t29 = t19 * t21 - t16 * t23
+    t30 = np.sqrt((t27 * t27 + t28 * t28 + t29 * t29))
+    t31 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t25 * np.sqrt(t26) - np.copysign(t30, 1.0))
+    t32 = 0.5 - t31
+    t33 = t32 / (1.0 + t30 * t32 - t32)
+    t34 = t29 * t33
+    t35 = t28 * t33
+    t36 = t33 * (t19 * t34 - t20 * t35)
+    t37 = t27 * t33
+    t38 = t24 + t24
+    t39 = t33 * (t16 * t35 - t19 * t37)
+    t40 = t33 * (t20 * t37 - t16 * t34)
+    t41 = t36 + t40
+    t42 = t10 * t20
+    t43 = t41 * t41
+    t44 = t5 * s1 - c1 * t12
+    t45 = l1 * t44
+    t46 = t36 * t36
+    t47 = t5 * t8 - t7 * t12
+    t48 = l2 * t47
+    t49 = t38 * t39 * t41 - t42 * t43 - t45 * t46 - t43 * t48
+    t50 = t49 - kappa
+    t51 = t26 * (t25 * (1.4210854715202004e-14 * t33))
+    t52 = t35 + t37
+    t53 = t52 * t52
+    t54 = t34 * t38 * t52 - t42 * t53 - t45 * (t37 * t37)
+    t55 = t54 - t48 * t53
+    t56 = np.copysign(t55, 1.0)
+    t57 = 0.5 - 0.5 * np.copysign(1.0, t51 - t56)
+    t58 = t46 + t40 * t40 + t39 * t39
+    t59 = np.sqrt(t58)
+    t60 = t51 * (t59 + t59)
+    t61 = t20 + t20
+    t62 = t38 * (t39 * t52 + t34 * t41) - t52 * (t41 * (t10 * t61))
+    t63 = t62 - t37 * (t36 * (l1 * (t44 + t44))) - t52 * (t41 * (l2 * (t47 + t47)))
+    t64 = np.copysign(t63, 1.0)
+    t65 = t51 * t58
+    t66 = np.copysign(t50, 1.0)
+    t67 = (t60 + t60) * t64 + t56 * (4.0 * t65) + 4.0 * t51 * t66
+    t68 = t63 * t63 - t55 * (4.0 * t50)
+    t69 = np.maximum(0.0, t68)
+    t70 = t57 * (0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(t69, 1.0)))
+    t71 = t70 * (-0.5 * t63 - 0.5 * np.copysign(np.sqrt(t69), t63))
+    t72 = 0.5 - 0.5 * np.copysign(1.0, t60 - t64)
+    t73 = 1.0 - t57
+    t74 = t72 * t73
+    t75 = t57 * t63 / (1.0 + t55 * (t57 + t57) - t57) + t50 * t74 / (1.0 + t63 * t74 - t74)
+    t76 = t50 * t70 / (1.0 + t71 - t70) - (1.0 - t70) * t75
+    t77 = t32 * (t36 + t37 * t76)
+    t78 = t32 * (t40 + t35 * t76)
+    t79 = t32 * (t39 + t34 * t76)
+    t80 = t32 * t70
+    t81 = t71 / (1.0 + t55 * t70 - t70)
+    t82 = t80 * (t36 + t37 * t81)
+    t83 = t80 * (t40 + t35 * t81)
+    t84 = t80 * (t39 + t34 * t81)
+    t85 = t77 * leads1 + t78 * leads2 + t79 * leads3
+    t86 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t77, 1.0), np.copysign(t78, 1.0)), np.copysign(t79, 1.0)) - np.copysign(t85, 1.0)
+    t87 = 0.5 - 0.5 * np.copysign(1.0, t86)
+    t88 = t87 / (1.0 + t85 * t87 - t87)
+    t89 = t82 * leads1 + t83 * leads2 + t84 * leads3
+    t90 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign(t83, 1.0)), np.copysign(t84, 1.0)) - np.copysign(t89, 1.0)
+    t91 = 0.5 - 0.5 * np.copysign(1.0, t90)
+    t92 = t91 / (1.0 + t89 * t91 - t91)
+    t93 = t77 + t78
+    t94 = t93 * t93
+    t95 = t77 * t77
+    t96 = t38 * t79 * t93 - t42 * t94 - t45 * t95 - t48 * t94
+    t97 = t82 + t83
+    t98 = t97 * t97
+    t99 = t82 * t82
+    t100 = t38 * t84 * t97 - t42 * t98 - t45 * t99 - t48 * t98
+    t101 = t10 * t24
+    t102 = l1 * (t5 * c1 + s1 * t12)
+    t103 = l2 * (t5 * t7 + t8 * t12)
+    t104 = t94 * t101 + t95 * t102 + t94 * t103 + t93 * (t61 * t79)
+    t105 = t93 * t94
+    t106 = -3.0 * t96 * t104 + t101 * t105 + t102 * (t77 * t95)
+    t107 = 3.0 * t20
+    t108 = t106 + t103 * t105 + t94 * (t79 * t107)
+    t109 = t98 * t101 + t99 * t102 + t98 * t103 + t97 * (t61 * t84)
+    t110 = t97 * t98
+    t111 = -3.0 * t100 * t109 + t101 * t110 + t102 * (t82 * t99)
+    t112 = t111 + t103 * t110 + t98 * (t84 * t107)
+    t113 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t114 = t57 * t113
+    t115 = 4.0 + t32 * (t57 * t114 + t73 * (2.0 + t72)) - 4.0 * t32
+    t116 = np.copysign((-(t112 + kappa_s)), 1.0) - np.copysign((-(t108 + kappa_s)), 1.0)
+    t117 = t73 * (1.0 - t72) * (0.5 + 0.5 * np.copysign(1.0, t65 - t66))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = np.where(t44 != 0.0, t54, 0.0)
-    rates[..., 1] = np.where(t44 != 0.0, t56, 0.0)
-    rates[..., 2] = np.where(t44 != 0.0, t58, 0.0)
-    rates[..., 3] = np.where(t61 != 0.0, np.where(t21 != 0.0, t63, 0.0), 0.0)
-    rates[..., 4] = np.where(t61 != 0.0, np.where(t21 != 0.0, t64, 0.0), 0.0)
-    rates[..., 5] = np.where(t61 != 0.0, np.where(t21 != 0.0, t65, 0.0), 0.0)
-    tracked[..., 0] = t71
-    tracked[..., 1] = t77
-    tracked_rate[..., 0] = -t86
-    tracked_rate[..., 1] = -t92
-    parabola[..., 0] = t34
-    parabola[..., 1] = t43
-    parabola[..., 2] = t48
-    discriminant[..., 0] = t50
-    least[..., 0] = t45
-    least[..., 1] = t55
-    least[..., 2] = t57
-    null[..., 0] = np.where(t21 != 0.0, t24, 0.0)
-    null[..., 1] = np.where(t21 != 0.0, t25, 0.0)
-    null[..., 2] = np.where(t21 != 0.0, t23, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    rates[..., 0] = t77
+    rates[..., 1] = t78
+    rates[..., 2] = t79
+    rates[..., 3] = t82
+    rates[..., 4] = t83
+    rates[..., 5] = t84
+    ratios[..., 0] = t88 * (t77 + leads1 * (t78 - t77))
+    ratios[..., 1] = t88 * (t79 + leads3 * (t78 - t79))
+    ratios[..., 2] = t92 * (t82 + leads1 * (t83 - t82))
+    ratios[..., 3] = t92 * (t84 + leads3 * (t83 - t84))
+    tracked[..., 0] = t96
+    tracked[..., 1] = t100
+    tracked_rate[..., 0] = -t108
+    tracked_rate[..., 1] = -t112
+    verdict[..., 0] = t115
+    verdict[..., 1] = t32 * (1.0 + t70)
+    verdict[..., 2] = t70 * (0.5 * t32) * (1.0 - np.copysign(1.0, t116))
+    verdict[..., 3] = t32 * (t74 + t57 * (1.0 - t114) + t117)
+    verdict[..., 4] = t80 * (1.0 - t91) + t32 * (1.0 - t87)
+    parabola[..., 0] = t55
+    parabola[..., 1] = t63
+    parabola[..., 2] = t49
+    slack[..., 0] = t68
+    least[..., 0] = t36
+    least[..., 1] = t40
+    least[..., 2] = t39
+    null[..., 0] = t37
+    null[..., 1] = t35
+    null[..., 2] = t34
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

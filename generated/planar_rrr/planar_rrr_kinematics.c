@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.c: kinematics of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
+ * Made from templates/kernel.c.j2; inputs 5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae.
  * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_kinematics_digest[] = "3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a";
+const char planar_rrr_kinematics_digest[] = "5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.h: kinematics of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
+ * Made from templates/kernel.h.j2; inputs 5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae.
  * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

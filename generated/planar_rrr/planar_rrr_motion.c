@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 0da3b6c370185093c41a34c8d478ffb72a9735ed2d0d33f84a378eb8bd116460.
+ * Made from templates/kernel.c.j2; inputs 73f619fd835b717c3885a17e54445c3e4701fd17dafbabdc2ef28584ed3a0714.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "0da3b6c370185093c41a34c8d478ffb72a9735ed2d0d33f84a378eb8bd116460";
+const char planar_rrr_motion_digest[] = "73f619fd835b717c3885a17e54445c3e4701fd17dafbabdc2ef28584ed3a0714";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 0da3b6c370185093c41a34c8d478ffb72a9735ed2d0d33f84a378eb8bd116460.
+ * Made from templates/kernel.h.j2; inputs 73f619fd835b717c3885a17e54445c3e4701fd17dafbabdc2ef28584ed3a0714.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

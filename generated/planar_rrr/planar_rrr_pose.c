@@ -1,6 +1,6 @@
 /* planar_rrr_pose.c: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
- * 313 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae.
+ * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_pose_digest[] = "3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a";
+const char planar_rrr_pose_digest[] = "5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae";
 #endif
 
 #define LANES 64
@@ -88,42 +88,6 @@ void CHAINRULE_NAME(planar_rrr_manipulability_gradient_pose_batch)(ptrdiff_t cou
             chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
             chainrule_scatter(inverse_gradient, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[9], steps[9], streaming);
             chainrule_scatter(inverse_root_gradient, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[10], steps[10], streaming);
-        }
-    }
-    chainrule_settle(streaming);
-}
-
-void CHAINRULE_NAME(planar_rrr_manipulability_hessian_pose)(const real *q, const real *parameters, real *square, real *gradient, real *hessian)
-{
-    planar_rrr_manipulability_hessian_pose_one(q, parameters, square, gradient, hessian);
-}
-
-void CHAINRULE_NAME(planar_rrr_manipulability_hessian_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
-{
-    real q[3 * 64];
-    real parameters[3 * 64];
-    real square[1 * 64];
-    real gradient[3 * 64];
-    real hessian[9 * 64];
-    const int streaming = chainrule_streams(count, 13);
-    int taken;
-    for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 64);
-        if (taken == 1) {
-            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[5], steps[5]);
-            chainrule_gather(parameters, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
-            planar_rrr_manipulability_hessian_pose_one(q, parameters, square, gradient, hessian);
-            chainrule_scatter(square, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-            chainrule_scatter(gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], 0);
-            chainrule_scatter(hessian, 1, 1, args[4] + start * steps[4], steps[4], 3, 3, steps[8], steps[9], 0);
-        } else {
-            chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[5], steps[5]);
-            if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
-            planar_rrr_manipulability_hessian_pose_tile(q, parameters, square, gradient, hessian);
-            chainrule_scatter(square, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
-            chainrule_scatter(hessian, 64, taken, args[4] + start * steps[4], steps[4], 3, 3, steps[8], steps[9], streaming);
         }
     }
     chainrule_settle(streaming);

@@ -1,6 +1,6 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
- * 313 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae.
+ * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -44,19 +44,6 @@ void planar_rrr_manipulability_gradient_pose(const double *q, const double *para
 void planar_rrr_manipulability_gradient_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_manipulability_gradient_posef(const float *q, const float *parameters, float *manipulability, float *gradient, float *inverse_gradient, float *inverse_root_gradient);
 void planar_rrr_manipulability_gradient_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-
-/* H^2, its gradient and its Hessian, through the maximal minors of the pose Jacobian, columns in lexicographic
- * order.
- *   in   q[3]
- *   in   parameters[3] = (l1, l2, l3)
- *   out  square (one number)
- *   out  gradient[3]
- *   out  hessian[3][3]
- *   175 operations */
-void planar_rrr_manipulability_hessian_pose(const double *q, const double *parameters, double *square, double *gradient, double *hessian);
-void planar_rrr_manipulability_hessian_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void planar_rrr_manipulability_hessian_posef(const float *q, const float *parameters, float *square, float *gradient, float *hessian);
-void planar_rrr_manipulability_hessian_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* maximal minors of the pose Jacobian, columns in lexicographic order.
  *   in   q[3]

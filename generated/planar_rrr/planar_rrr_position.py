@@ -1,7 +1,7 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
-353 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae.
+245 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -103,83 +103,6 @@ def manipulability_gradient_position(q, parameters):
     inverse_root_gradient[..., 1] = np.where(t6 != 0.0, t10 * t15, 0.0)
     inverse_root_gradient[..., 2] = np.where(t6 != 0.0, t12 * t15, 0.0)
     return manipulability.reshape(leading), gradient.reshape(leading + (3,)), inverse_gradient.reshape(leading + (3,)), inverse_root_gradient.reshape(leading + (3,))
-
-
-def manipulability_hessian_position(q, parameters):
-    """H^2, its gradient and its Hessian, through the minors (1,2), (1,3), (2,3) of the position Jacobian, in closed form: 108 operations.
-
-    in   q[3]
-    in   parameters[3] = (l1, l2, l3)
-    out  square (one number)
-    out  gradient[3]
-    out  hessian[3][3]
-    """
-    q = np.asarray(q)
-    parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
-
-    # inputs, sines and cosines
-    l1 = parameters[..., 0]
-    l2 = parameters[..., 1]
-    q2 = q[..., 1]
-    s2 = np.sin(q2)
-    l3 = parameters[..., 2]
-    c2 = np.cos(q2)
-    q3 = q[..., 2]
-    s3 = np.sin(q3)
-    c3 = np.cos(q3)
-
-    # terms
-    t1 = c2 * s3 + s2 * c3
-    t2 = l1 * (l2 * s2 + l3 * t1)
-    t3 = l3 * (l1 * t1 + l2 * s3)
-    t4 = l2 * l3
-    t5 = s3 * t4
-    t6 = l3 * (t3 + t3)
-    t7 = l1 * (t2 + t2)
-    t8 = l1 * t6 + l3 * t7
-    t9 = c3 * t8
-    t10 = t9 + l2 * t7
-    t11 = s3 * t8
-    t12 = t4 * (t5 + t5) + l2 * t6 + c2 * t8
-    t13 = s2 * t8
-    t14 = c2 * c3 - s2 * s3
-    t15 = l1 * t14
-    t16 = l3 * t15
-    t17 = l3 * t14
-    t18 = l1 * (l2 * c2 + t17)
-    t19 = l1 * (t18 + t18)
-    t20 = l1 * (l3 * (t16 + t16)) + l3 * t19
-    t21 = c2 * (c3 * t20 + l2 * t19) - s2 * t10 - (c2 * t11 + s2 * (s3 * t20))
-    t22 = l3 * (t15 + l2 * c3)
-    t23 = l3 * (t22 + t22)
-    t24 = l1 * t17
-    t25 = l1 * (t24 + t24)
-    t26 = l1 * t23 + l3 * t25
-    t27 = c2 * (c3 * t26 - t11 + l2 * t25) - s2 * (t9 + s3 * t26)
-    t28 = c3 * t4
-    t29 = c3 * (t4 * (t28 + t28) + l2 * t23 + c2 * t26)
-    t30 = t29 - s3 * t12 - (c3 * t13 + s3 * (s2 * t26))
-
-    # results
-    square = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 3), real)
-    hessian = np.empty((*leading, 9), real)
-    square[..., 0] = t2 * t2 + t3 * t3 + t5 * t5
-    gradient[..., 0] = 0.0
-    gradient[..., 1] = c2 * t10 - s2 * t11
-    gradient[..., 2] = c3 * t12 - s3 * t13
-    hessian[..., 0] = 0.0
-    hessian[..., 1] = 0.0
-    hessian[..., 2] = 0.0
-    hessian[..., 3] = 0.0
-    hessian[..., 4] = t21
-    hessian[..., 5] = t27
-    hessian[..., 6] = 0.0
-    hessian[..., 7] = t27
-    hessian[..., 8] = t30
-    return square.reshape(leading), gradient.reshape(leading + (3,)), hessian.reshape(leading + (3, 3))
 
 
 def minors_position(q, parameters):

@@ -1,7 +1,7 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3b998527b4c9a9029a23f90031d99fd8f19aed2291aba4fa6524a8d184fbc7e8.
-795 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 1f048e907885b5fca8287efca884e022bd6b80d8085f1dbfd90d32aee985fd55.
+1002 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 160 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 194 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -86,23 +86,28 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t33 = t14 * t29 + t24 * t31
     t34 = t20 + (t18 + l1 * (s1 * tx - c1 * ty))
     t35 = t16 * t16 + t30 * t30
-    t36 = t13 / t14
-    t37 = t22 + np.where(t15 != 0.0, -(t24 * t36), 0.0)
-    t38 = t37 * t37
-    t39 = t16 / t14
-    t40 = t30 + np.where(t15 != 0.0, -(t24 * t39), 0.0)
-    t41 = (t37 + t37) * t40
-    t42 = t40 * t40
-    t43 = np.where(t15 != 0.0, -t36, 0.0)
-    t44 = np.where(t15 != 0.0, -(t26 * t36), 0.0)
-    t45 = t21 + t20 * (t43 * t43) + t44
-    t46 = t28 - np.where(t15 != 0.0, np.where(t15 != 0.0, -(t36 * (t39 * (t20 + t20))), 0.0), 0.0)
-    t47 = np.where(t15 != 0.0, -(t26 * t39), 0.0)
-    t48 = t44 + (t46 + t47)
-    t49 = np.where(t15 != 0.0, -t39, 0.0)
-    t50 = t47 + (t34 + t20 * (t49 * t49))
-    t51 = t48 * (t41 + t41) - t50 * (4.0 * t38) - t45 * (4.0 * t42)
-    t52 = t48 * t48 - t50 * (4.0 * t45)
+    t36 = 1.4210854715202004e-14 * np.sqrt((l1 * l1 + l2 * l2 + l3 * l3))
+    t37 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign(t15, 1.0))
+    t38 = 1.0 - t37
+    t39 = t22 * t38 + t24 * t37
+    t40 = t13 * t38 + t14 * t37
+    t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
+    t42 = t41 / (1.0 - t40 * t41 - t41)
+    t43 = t42 * (t13 * t37 + t14 * t38)
+    t44 = t22 * t37 + t24 * t38 + t39 * t43
+    t45 = t44 * t44
+    t46 = t16 * t42
+    t47 = t30 + t39 * t46
+    t48 = (t44 + t44) * t47
+    t49 = t47 * t47
+    t50 = t21 * t38 + t20 * t37
+    t51 = t21 * t37 + t20 * t38 + t50 * (t43 * t43) + t26 * t43
+    t52 = t26 * t38 + t28 * t37 + t43 * (t46 * (t50 + t50))
+    t53 = t26 * t37 + t28 * t38
+    t54 = t52 + t26 * t46 + t43 * t53
+    t55 = t34 + t50 * (t46 * t46) + t46 * t53
+    t56 = t54 * (t48 + t48) - t55 * (4.0 * t45) - t51 * (4.0 * t49)
+    t57 = t54 * t54 - t55 * (4.0 * t51)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -135,20 +140,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t32
     B1[..., 4] = t33
     B1[..., 5] = t35
-    a[..., 0] = t38
-    a[..., 1] = t41
-    a[..., 2] = t42
-    b[..., 0] = t45
-    b[..., 1] = t48
-    b[..., 2] = t50
-    C[..., 0] = t51
-    D[..., 0] = t52
-    discriminant[..., 0] = t52 + kappa * t51
+    a[..., 0] = t45
+    a[..., 1] = t48
+    a[..., 2] = t49
+    b[..., 0] = t51
+    b[..., 1] = t54
+    b[..., 2] = t55
+    C[..., 0] = t56
+    D[..., 0] = t57
+    discriminant[..., 0] = t57 + kappa * t56
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 160 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 194 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -224,23 +229,28 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t33 = t12 * (t16 + t16) + t24 * (t31 + t31)
     t34 = t18 + t20
     t35 = t16 * t16 + t31 * t31
-    t36 = t11 / t12
-    t37 = t22 + np.where(t13 != 0.0, -(t24 * t36), 0.0)
-    t38 = t37 * t37
-    t39 = t16 / t12
-    t40 = t31 + np.where(t13 != 0.0, -(t24 * t39), 0.0)
-    t41 = (t37 + t37) * t40
-    t42 = t40 * t40
-    t43 = np.where(t13 != 0.0, -t36, 0.0)
-    t44 = np.where(t13 != 0.0, -(t26 * t36), 0.0)
-    t45 = t21 + t20 * (t43 * t43) + t44
-    t46 = t30 - np.where(t13 != 0.0, np.where(t13 != 0.0, -(t36 * (t39 * (t20 + t20))), 0.0), 0.0)
-    t47 = np.where(t13 != 0.0, -(t26 * t39), 0.0)
-    t48 = t44 + (t46 + t47)
-    t49 = np.where(t13 != 0.0, -t39, 0.0)
-    t50 = t47 + (t34 + t20 * (t49 * t49))
-    t51 = t48 * (t41 + t41) - t50 * (4.0 * t38) - t45 * (4.0 * t42)
-    t52 = t48 * t48 - t50 * (4.0 * t45)
+    t36 = 1.4210854715202004e-14 * np.sqrt((l1 * l1 + l2 * l2 + l3 * l3))
+    t37 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign(t13, 1.0))
+    t38 = 1.0 - t37
+    t39 = t22 * t38 + t24 * t37
+    t40 = t11 * t38 + t12 * t37
+    t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
+    t42 = t41 / (1.0 - t40 * t41 - t41)
+    t43 = t42 * (t11 * t37 + t12 * t38)
+    t44 = t22 * t37 + t24 * t38 + t39 * t43
+    t45 = t44 * t44
+    t46 = t16 * t42
+    t47 = t31 + t39 * t46
+    t48 = (t44 + t44) * t47
+    t49 = t47 * t47
+    t50 = t21 * t38 + t20 * t37
+    t51 = t21 * t37 + t20 * t38 + t50 * (t43 * t43) + t26 * t43
+    t52 = t26 * t38 + t30 * t37 + t43 * (t46 * (t50 + t50))
+    t53 = t26 * t37 + t30 * t38
+    t54 = t52 + t26 * t46 + t43 * t53
+    t55 = t34 + t50 * (t46 * t46) + t46 * t53
+    t56 = t54 * (t48 + t48) - t55 * (4.0 * t45) - t51 * (4.0 * t49)
+    t57 = t54 * t54 - t55 * (4.0 * t51)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -273,20 +283,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t32
     B1[..., 4] = t33
     B1[..., 5] = t35
-    a[..., 0] = t38
-    a[..., 1] = t41
-    a[..., 2] = t42
-    b[..., 0] = t45
-    b[..., 1] = t48
-    b[..., 2] = t50
-    C[..., 0] = t51
-    D[..., 0] = t52
-    discriminant[..., 0] = t52 + kappa * t51
+    a[..., 0] = t45
+    a[..., 1] = t48
+    a[..., 2] = t49
+    b[..., 0] = t51
+    b[..., 1] = t54
+    b[..., 2] = t55
+    C[..., 0] = t56
+    D[..., 0] = t57
+    discriminant[..., 0] = t57 + kappa * t56
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 166 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 188 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -362,21 +372,26 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t33 = t16 * t29 + t30 * t32
     t34 = t16 * (t14 + t14) + t32 * (t25 + t25)
     t35 = t16 * t16 + t32 * t32
-    t36 = t11 / t14
-    t37 = t22 + np.where(t15 != 0.0, -(t25 * t36), 0.0)
-    t38 = t37 * t37
-    t39 = t16 / t14
-    t40 = t32 + np.where(t15 != 0.0, -(t25 * t39), 0.0)
-    t41 = (t37 + t37) * t40
-    t42 = t40 * t40
-    t43 = np.where(t15 != 0.0, -t36, 0.0)
-    t44 = t21 + t24 * (t43 * t43) + np.where(t15 != 0.0, -(t28 * t36), 0.0)
-    t45 = t27 - np.where(t15 != 0.0, np.where(t15 != 0.0, -(t36 * (t39 * (t24 + t24))), 0.0), 0.0)
-    t46 = t45 + np.where(t15 != 0.0, -(t28 * t39), 0.0) + np.where(t15 != 0.0, -(t27 * t36), 0.0)
-    t47 = np.where(t15 != 0.0, -t39, 0.0)
-    t48 = t20 + t24 * (t47 * t47) + np.where(t15 != 0.0, -(t27 * t39), 0.0)
-    t49 = t46 * (t41 + t41) - t48 * (4.0 * t38) - t44 * (4.0 * t42)
-    t50 = t46 * t46 - t48 * (4.0 * t44)
+    t36 = 1.4210854715202004e-14 * np.sqrt((l1 * l1 + l2 * l2 + l3 * l3))
+    t37 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign(t15, 1.0))
+    t38 = 1.0 - t37
+    t39 = t22 * t38 + t25 * t37
+    t40 = t11 * t38 + t14 * t37
+    t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
+    t42 = t41 / (1.0 - t40 * t41 - t41)
+    t43 = t42 * (t11 * t37 + t14 * t38)
+    t44 = t22 * t37 + t25 * t38 + t39 * t43
+    t45 = t44 * t44
+    t46 = t16 * t42
+    t47 = t32 + t39 * t46
+    t48 = (t44 + t44) * t47
+    t49 = t47 * t47
+    t50 = t21 * t38 + t24 * t37
+    t51 = t21 * t37 + t24 * t38 + t50 * (t43 * t43) + t28 * t43
+    t52 = t27 + t43 * (t46 * (t50 + t50)) + t28 * t46 + t27 * t43
+    t53 = t20 + t50 * (t46 * t46) + t27 * t46
+    t54 = t52 * (t48 + t48) - t53 * (4.0 * t45) - t51 * (4.0 * t49)
+    t55 = t52 * t52 - t53 * (4.0 * t51)
 
     # results
     A = np.empty((*leading, 3), real)
@@ -409,30 +424,33 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t33
     B1[..., 4] = t34
     B1[..., 5] = t35
-    a[..., 0] = t38
-    a[..., 1] = t41
-    a[..., 2] = t42
-    b[..., 0] = t44
-    b[..., 1] = t46
-    b[..., 2] = t48
-    C[..., 0] = t49
-    D[..., 0] = t50
-    discriminant[..., 0] = t50 + kappa * t49
+    a[..., 0] = t45
+    a[..., 1] = t48
+    a[..., 2] = t49
+    b[..., 0] = t51
+    b[..., 1] = t52
+    b[..., 2] = t53
+    C[..., 0] = t54
+    D[..., 0] = t55
+    discriminant[..., 0] = t55 + kappa * t54
     return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
 
 
-def speed_ratio_rates(q, parameters, tangent, curvature):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 309 operations.
+def speed_ratio_rates(q, parameters, tangent, curvature, leading):
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 426 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
     in   tangent[2] = (tx, ty)
     in   curvature[2] = (kappa, kappa_s)
+    in   leading[3] = (leads1, leads2, leads3)
     out  rates[2][3]
+    out  ratios[2][2]
     out  tracked[2]
     out  tracked_rate[2]
+    out  verdict[5]
     out  parabola[3]
-    out  discriminant (one number)
+    out  slack (one number)
     out  least[3]
     out  null[3]
     """
@@ -440,145 +458,186 @@ def speed_ratio_rates(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    leading = np.asarray(leading)
+    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    q3 = q[..., 2]
-    c3 = np.cos(q3)
+    tx = tangent[..., 0]
+    ty = tangent[..., 1]
     q1 = q[..., 0]
     c1 = np.cos(q1)
+    l1 = parameters[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
     s1 = np.sin(q1)
     s2 = np.sin(q2)
+    l2 = parameters[..., 1]
+    q3 = q[..., 2]
+    c3 = np.cos(q3)
     s3 = np.sin(q3)
     l3 = parameters[..., 2]
-    tx = tangent[..., 0]
-    ty = tangent[..., 1]
-    l1 = parameters[..., 0]
-    l2 = parameters[..., 1]
     kappa = curvature[..., 0]
+    leads1 = leading[..., 0]
+    leads2 = leading[..., 1]
+    leads3 = leading[..., 2]
+    kappa_s = curvature[..., 1]
 
     # terms
-    t1 = c1 * c2 - s1 * s2
-    t2 = c1 * s2 + c2 * s1
-    t3 = c3 * t1 - t2 * s3
-    t4 = t3 * l3
-    t5 = c3 * t2 + t1 * s3
-    t6 = l3 * t5
-    t7 = t4 * tx + t6 * ty
-    t8 = c1 * l1
-    t9 = t4 + (t8 + t1 * l2)
-    t10 = t9 - t8
-    t11 = s1 * l1
-    t12 = t6 + (t11 + t2 * l2)
-    t13 = t12 - t11
-    t14 = ty * t10 - tx * t13
-    t15 = tx * t10 + ty * t13
-    t16 = t4 * ty - tx * t6
-    t17 = t7 * t14 - t15 * t16
-    t18 = tx * t9 + ty * t12
-    t19 = ty * t9 - tx * t12
-    t20 = t16 * t18 - t7 * t19
-    t21 = t15 * t19 - t14 * t18
-    t22 = np.sqrt((t17 * t17 + t20 * t20 + t21 * t21))
-    t23 = s1 * tx - c1 * ty
-    t24 = l1 * t23
-    t25 = t17 / t22
-    t26 = t2 * tx - t1 * ty
-    t27 = l2 * t26
-    t28 = t20 / t22
-    t29 = t25 + t28
-    t30 = tx * t5 - t3 * ty
-    t31 = l3 * t30
-    t32 = t21 / t22
-    t33 = t29 + t32
-    t34 = t24 * (t25 * t25) + t27 * (t29 * t29) + t31 * (t33 * t33)
-    t35 = np.where(t22 != 0.0, np.where(t22 != 0.0, t34, 0.0), 0.0)
-    t36 = -t35
-    t37 = np.where(t36 != 0.0, 1.0, 0.0)
-    t38 = (np.where(t22 != 0.0, t15 * t32, 0.0) - np.where(t22 != 0.0, t7 * t28, 0.0)) / t22
-    t39 = (np.where(t22 != 0.0, t7 * t25, 0.0) - np.where(t22 != 0.0, t18 * t32, 0.0)) / t22
-    t40 = t38 + t39
-    t41 = np.where(t22 != 0.0, np.where(t22 != 0.0, t25 * (l1 * (-2.0 * t23) * t38), 0.0), 0.0) - np.where(t22 != 0.0, np.where(t22 != 0.0, t29 * (l2 * (t26 + t26) * t40), 0.0), 0.0)
-    t42 = (np.where(t22 != 0.0, t18 * t28, 0.0) - np.where(t22 != 0.0, t15 * t25, 0.0)) / t22
-    t43 = t40 + t42
-    t44 = t41 - np.where(t22 != 0.0, np.where(t22 != 0.0, t33 * (l3 * (t30 + t30) * t43), 0.0), 0.0)
-    t45 = t37 + np.where((1.0 - t37) != 0.0, 1.0 - np.where(t44 != 0.0, 1.0, 0.0), 0.0)
-    t46 = np.where(t22 != 0.0, t38, 0.0)
-    t47 = t24 * (t38 * t38) + t27 * (t40 * t40) + t31 * (t43 * t43)
-    t48 = np.where(t22 != 0.0, np.where(t22 != 0.0, t47, 0.0), 0.0)
-    t49 = t48 + kappa
-    t50 = t44 * t44 - np.where(t22 != 0.0, np.where(t22 != 0.0, t34 * (4.0 * t49), 0.0), 0.0)
-    t51 = np.sqrt(np.maximum(0.0, t50))
-    t52 = -0.5 * t44 - 0.5 * np.copysign(t51, t44)
-    t53 = t52 / t35
-    t54 = t46 + np.where(t36 != 0.0, np.where(t22 != 0.0, -(t25 * t53), 0.0), 0.0)
-    t55 = np.where(t22 != 0.0, t39, 0.0)
-    t56 = t55 + np.where(t36 != 0.0, np.where(t22 != 0.0, -(t28 * t53), 0.0), 0.0)
-    t57 = np.where(t22 != 0.0, t42, 0.0)
-    t58 = t57 + np.where(t36 != 0.0, np.where(t22 != 0.0, -(t32 * t53), 0.0), 0.0)
-    t59 = np.where(t51 != 0.0, 1.0, 0.0)
-    t60 = 1.0 - t59
-    t61 = t59 + np.where(t60 != 0.0, t45, 0.0)
-    t62 = np.where(t59 != 0.0, np.where(t52 != 0.0, -(t49 / t52), 0.0), 0.0) + np.where(t60 != 0.0, np.where(t36 != 0.0, -t53, 0.0), 0.0)
-    t63 = t38 + t25 * t62
-    t64 = t39 + t28 * t62
-    t65 = t42 + t32 * t62
-    t66 = t54 * t54
-    t67 = t54 + t56
-    t68 = np.where(t45 != 0.0, t67, 0.0)
-    t69 = t68 * t68
-    t70 = t58 + t67
-    t71 = np.where(t45 != 0.0, t70, 0.0)
-    t72 = t71 * t71
-    t73 = np.where(t45 != 0.0, np.where(t45 != 0.0, t24 * t66, 0.0), 0.0) + t27 * t69 + t31 * t72
-    t74 = t63 * t63
-    t75 = t63 + t64
-    t76 = np.where(t61 != 0.0, np.where(t22 != 0.0, t75, 0.0), 0.0)
-    t77 = t76 * t76
-    t78 = np.where(t61 != 0.0, np.where(t22 != 0.0, np.where(t61 != 0.0, np.where(t22 != 0.0, t24 * t74, 0.0), 0.0), 0.0), 0.0) + t27 * t77
-    t79 = t65 + t75
-    t80 = np.where(t61 != 0.0, np.where(t22 != 0.0, t79, 0.0), 0.0)
-    t81 = t80 * t80
-    t82 = t78 + t31 * t81
-    t83 = l1 * (c1 * tx + s1 * ty)
-    t84 = l2 * (t1 * tx + t2 * ty)
-    t85 = l3 * (t3 * tx + t5 * ty)
-    t86 = np.where(t45 != 0.0, np.where(t45 != 0.0, t66 * t83, 0.0), 0.0) + t69 * t84 + t72 * t85
-    t87 = -3.0 * t73 * t86 - np.where(t45 != 0.0, np.where(t45 != 0.0, np.where(t45 != 0.0, t83 * (t54 * t66), 0.0), 0.0), 0.0)
-    t88 = t87 - np.where(t45 != 0.0, t84 * (t67 * t69), 0.0) - np.where(t45 != 0.0, t85 * (t70 * t72), 0.0)
-    t89 = np.where(t61 != 0.0, np.where(t22 != 0.0, np.where(t61 != 0.0, np.where(t22 != 0.0, t74 * t83, 0.0), 0.0), 0.0), 0.0) + t77 * t84
-    t90 = np.where(t22 != 0.0, np.where(t61 != 0.0, np.where(t22 != 0.0, np.where(t61 != 0.0, np.where(t22 != 0.0, t83 * (t63 * t74), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t91 = -3.0 * t82 * (t89 + t81 * t85) - np.where(t61 != 0.0, t90, 0.0) - np.where(t61 != 0.0, np.where(t22 != 0.0, t84 * (t75 * t77), 0.0), 0.0)
+    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t2 = tx / t1
+    t3 = ty / t1
+    t4 = np.sqrt((t2 * t2 + t3 * t3))
+    t5 = t2 / t4
+    t6 = c1 * l1
+    t7 = c1 * c2 - s1 * s2
+    t8 = c1 * s2 + c2 * s1
+    t9 = t7 * c3 - t8 * s3
+    t10 = t9 * l3
+    t11 = t6 + t7 * l2 + t10
+    t12 = t3 / t4
+    t13 = l1 * s1
+    t14 = c3 * t8 + t7 * s3
+    t15 = l3 * t14
+    t16 = t13 + l2 * t8 + t15
+    t17 = t5 * t11 + t12 * t16
+    t18 = t11 - t6
+    t19 = t16 - t13
+    t20 = t5 * t18 + t12 * t19
+    t21 = t5 * t10 + t12 * t15
+    t22 = t11 * t12 - t5 * t16
+    t23 = t17 * t17 + t20 * t20 + t21 * t21 + t22 * t22
+    t24 = t12 * t18 - t5 * t19
+    t25 = t10 * t12 - t5 * t15
+    t26 = np.sqrt((t23 + t24 * t24 + t25 * t25))
+    t27 = l1 * l1 + l2 * l2 + l3 * l3
+    t28 = t21 * t24 - t20 * t25
+    t29 = t17 * t25 - t21 * t22
+    t30 = t20 * t22 - t17 * t24
+    t31 = np.sqrt((t28 * t28 + t29 * t29 + t30 * t30))
+    t32 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t26 * np.sqrt(t27) - np.copysign(t31, 1.0))
+    t33 = 0.5 - t32
+    t34 = t33 / (1.0 + t31 * t33 - t33)
+    t35 = t30 * t34
+    t36 = t29 * t34
+    t37 = t34 * (t20 * t35 - t21 * t36)
+    t38 = t28 * t34
+    t39 = t27 * (t26 * (1.4210854715202004e-14 * t34))
+    t40 = t5 * s1 - c1 * t12
+    t41 = l1 * t40
+    t42 = t5 * t8 - t7 * t12
+    t43 = l2 * t42
+    t44 = t36 + t38
+    t45 = t5 * t14 - t9 * t12
+    t46 = l3 * t45
+    t47 = t35 + t44
+    t48 = t41 * (t38 * t38) + t43 * (t44 * t44) + t46 * (t47 * t47)
+    t49 = -t48
+    t50 = np.copysign(t49, 1.0)
+    t51 = 0.5 - 0.5 * np.copysign(1.0, t39 - t50)
+    t52 = t37 * t37
+    t53 = t34 * (t21 * t38 - t17 * t35)
+    t54 = t34 * (t17 * t36 - t20 * t38)
+    t55 = t52 + t53 * t53 + t54 * t54
+    t56 = np.sqrt(t55)
+    t57 = t39 * (t56 + t56)
+    t58 = t37 + t53
+    t59 = t38 * (t37 * (l1 * (-2.0 * t40))) - t44 * (l2 * (t42 + t42) * t58)
+    t60 = t54 + t58
+    t61 = t59 - t47 * (l3 * (t45 + t45) * t60)
+    t62 = np.copysign(t61, 1.0)
+    t63 = t39 * t55
+    t64 = t41 * t52 + t43 * (t58 * t58) + t46 * (t60 * t60)
+    t65 = t64 + kappa
+    t66 = np.copysign((-t65), 1.0)
+    t67 = (t57 + t57) * t62 + t50 * (4.0 * t63) + 4.0 * t39 * t66
+    t68 = t61 * t61 - t48 * (4.0 * t65)
+    t69 = np.maximum(0.0, t68)
+    t70 = t51 * (0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(t69, 1.0)))
+    t71 = 0.5 - 0.5 * np.copysign(1.0, t57 - t62)
+    t72 = 1.0 - t51
+    t73 = t71 * t72
+    t74 = t65 * t73 / (1.0 + t61 * t73 - t73) - t51 * t61 / (1.0 - t48 * (t51 + t51) - t51)
+    t75 = t70 * (-0.5 * t61 - 0.5 * np.copysign(np.sqrt(t69), t61))
+    t76 = (1.0 - t70) * t74 - t65 * t70 / (1.0 + t75 - t70)
+    t77 = t33 * (t37 + t38 * t76)
+    t78 = t33 * (t53 + t36 * t76)
+    t79 = t33 * (t54 + t35 * t76)
+    t80 = t33 * t70
+    t81 = t75 / (1.0 - t48 * t70 - t70)
+    t82 = t80 * (t37 + t38 * t81)
+    t83 = t80 * (t53 + t36 * t81)
+    t84 = t80 * (t54 + t35 * t81)
+    t85 = t77 * leads1 + t78 * leads2 + t79 * leads3
+    t86 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t77, 1.0), np.copysign(t78, 1.0)), np.copysign(t79, 1.0)) - np.copysign(t85, 1.0)
+    t87 = 0.5 - 0.5 * np.copysign(1.0, t86)
+    t88 = t87 / (1.0 + t85 * t87 - t87)
+    t89 = t82 * leads1 + t83 * leads2 + t84 * leads3
+    t90 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign(t83, 1.0)), np.copysign(t84, 1.0)) - np.copysign(t89, 1.0)
+    t91 = 0.5 - 0.5 * np.copysign(1.0, t90)
+    t92 = t91 / (1.0 + t89 * t91 - t91)
+    t93 = t77 * t77
+    t94 = t77 + t78
+    t95 = t94 * t94
+    t96 = t79 + t94
+    t97 = t96 * t96
+    t98 = t41 * t93 + t43 * t95 + t46 * t97
+    t99 = t82 * t82
+    t100 = t82 + t83
+    t101 = t100 * t100
+    t102 = t84 + t100
+    t103 = t102 * t102
+    t104 = t41 * t99 + t43 * t101 + t46 * t103
+    t105 = l1 * (t5 * c1 + s1 * t12)
+    t106 = l2 * (t5 * t7 + t8 * t12)
+    t107 = l3 * (t5 * t9 + t12 * t14)
+    t108 = -3.0 * t98 * (t93 * t105 + t95 * t106 + t97 * t107)
+    t109 = t108 - t105 * (t77 * t93) - t106 * (t94 * t95) - t107 * (t96 * t97)
+    t110 = -3.0 * t104 * (t99 * t105 + t101 * t106 + t103 * t107)
+    t111 = t110 - t105 * (t82 * t99) - t106 * (t100 * t101) - t107 * (t102 * t103)
+    t112 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t113 = t51 * t112
+    t114 = 4.0 + t33 * (t51 * t113 + t72 * (2.0 + t71)) - 4.0 * t33
+    t115 = 1.0 - np.copysign(1.0, np.copysign((t111 - kappa_s), 1.0) - np.copysign((t109 - kappa_s), 1.0))
+    t116 = t72 * (1.0 - t71) * (0.5 + 0.5 * np.copysign(1.0, t63 - t66))
 
     # results
     rates = np.empty((*leading, 6), real)
+    ratios = np.empty((*leading, 4), real)
     tracked = np.empty((*leading, 2), real)
     tracked_rate = np.empty((*leading, 2), real)
+    verdict = np.empty((*leading, 5), real)
     parabola = np.empty((*leading, 3), real)
-    discriminant = np.empty((*leading, 1), real)
+    slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = np.where(t45 != 0.0, t54, 0.0)
-    rates[..., 1] = np.where(t45 != 0.0, t56, 0.0)
-    rates[..., 2] = np.where(t45 != 0.0, t58, 0.0)
-    rates[..., 3] = np.where(t61 != 0.0, np.where(t22 != 0.0, t63, 0.0), 0.0)
-    rates[..., 4] = np.where(t61 != 0.0, np.where(t22 != 0.0, t64, 0.0), 0.0)
-    rates[..., 5] = np.where(t61 != 0.0, np.where(t22 != 0.0, t65, 0.0), 0.0)
-    tracked[..., 0] = -t73
-    tracked[..., 1] = -t82
-    tracked_rate[..., 0] = t88
-    tracked_rate[..., 1] = t91 - np.where(t61 != 0.0, np.where(t22 != 0.0, t85 * (t79 * t81), 0.0), 0.0)
-    parabola[..., 0] = t36
-    parabola[..., 1] = t44
-    parabola[..., 2] = -t48
-    discriminant[..., 0] = t50
-    least[..., 0] = t46
-    least[..., 1] = t55
-    least[..., 2] = t57
-    null[..., 0] = np.where(t22 != 0.0, t25, 0.0)
-    null[..., 1] = np.where(t22 != 0.0, t28, 0.0)
-    null[..., 2] = np.where(t22 != 0.0, t32, 0.0)
-    return rates.reshape(leading + (2, 3)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), parabola.reshape(leading + (3,)), discriminant.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    rates[..., 0] = t77
+    rates[..., 1] = t78
+    rates[..., 2] = t79
+    rates[..., 3] = t82
+    rates[..., 4] = t83
+    rates[..., 5] = t84
+    ratios[..., 0] = t88 * (t77 + leads1 * (t78 - t77))
+    ratios[..., 1] = t88 * (t79 + leads3 * (t78 - t79))
+    ratios[..., 2] = t92 * (t82 + leads1 * (t83 - t82))
+    ratios[..., 3] = t92 * (t84 + leads3 * (t83 - t84))
+    tracked[..., 0] = -t98
+    tracked[..., 1] = -t104
+    tracked_rate[..., 0] = t109
+    tracked_rate[..., 1] = t111
+    verdict[..., 0] = t114
+    verdict[..., 1] = t33 * (1.0 + t70)
+    verdict[..., 2] = t70 * (0.5 * t33) * t115
+    verdict[..., 3] = t33 * (t73 + t51 * (1.0 - t113) + t116)
+    verdict[..., 4] = t80 * (1.0 - t91) + t33 * (1.0 - t87)
+    parabola[..., 0] = t49
+    parabola[..., 1] = t61
+    parabola[..., 2] = -t64
+    slack[..., 0] = t68
+    least[..., 0] = t37
+    least[..., 1] = t53
+    least[..., 2] = t54
+    null[..., 0] = t38
+    null[..., 1] = t36
+    null[..., 2] = t35
+    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))

@@ -1,7 +1,7 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3cd3f71b8a6bed5a3692a040540ce1d8b4578eba9eb09a91cfdaaf6b1a82c30a.
-461 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 5b47a2511a8e4b7733dd0ecd26d602f21bc0d4c70e56b2900cb127ad2cce12ae.
+311 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -123,112 +123,6 @@ def manipulability_gradient_x_alpha(q, parameters):
     inverse_root_gradient[..., 1] = np.where(t10 != 0.0, t21 * t25, 0.0)
     inverse_root_gradient[..., 2] = np.where(t10 != 0.0, t22 * t25, 0.0)
     return manipulability.reshape(leading), gradient.reshape(leading + (3,)), inverse_gradient.reshape(leading + (3,)), inverse_root_gradient.reshape(leading + (3,))
-
-
-def manipulability_hessian_x_alpha(q, parameters):
-    """H^2, its gradient and its Hessian, through the maximal minors of the x_alpha Jacobian, columns in lexicographic order: 150 operations.
-
-    in   q[3]
-    in   parameters[3] = (l1, l2, l3)
-    out  square (one number)
-    out  gradient[3]
-    out  hessian[3][3]
-    """
-    q = np.asarray(q)
-    parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
-
-    # inputs, sines and cosines
-    l1 = parameters[..., 0]
-    q1 = q[..., 0]
-    s1 = np.sin(q1)
-    c1 = np.cos(q1)
-    q2 = q[..., 1]
-    s2 = np.sin(q2)
-    c2 = np.cos(q2)
-    l2 = parameters[..., 1]
-    q3 = q[..., 2]
-    c3 = np.cos(q3)
-    s3 = np.sin(q3)
-    l3 = parameters[..., 2]
-
-    # terms
-    t1 = l1 * s1
-    t2 = c1 * s2 + s1 * c2
-    t3 = t1 + t2 * l2
-    t4 = c1 * c2 - s1 * s2
-    t5 = (t2 * c3 + t4 * s3) * l3
-    t6 = t3 + t5
-    t7 = t6 - t1
-    t8 = t7 - t6
-    t9 = t5 - t7
-    t10 = t9 + t9
-    t11 = t8 + t8
-    t12 = t11 - t10
-    t13 = t12 - t11
-    t14 = l3 * (t10 + t13)
-    t15 = c3 * t14
-    t16 = t13 + (t3 + t3)
-    t17 = t15 + l2 * t16
-    t18 = c2 * t17
-    t19 = s3 * t14
-    t20 = s2 * t19
-    t21 = t18 - t20 + l1 * (t16 - t12)
-    t22 = c2 * t19
-    t23 = s2 * t17
-    t24 = t22 + t23
-    t25 = s1 * t19
-    t26 = c1 * t17 - t25
-    t27 = c1 * t19
-    t28 = t27 + s1 * t17
-    t29 = t4 * t14
-    t30 = t2 * t14
-    t31 = l3 * (c3 * t4 - t2 * s3)
-    t32 = l1 * c1
-    t33 = l2 * t4
-    t34 = t32 + t33
-    t35 = t31 + t34
-    t36 = t35 - t32
-    t37 = t31 - t36
-    t38 = t37 + t37
-    t39 = t36 - t35
-    t40 = t39 + t39
-    t41 = t40 - t38
-    t42 = t41 - t40
-    t43 = l3 * (t38 + t42)
-    t44 = t42 + (t34 + t34)
-    t45 = c3 * t43 + l2 * t44
-    t46 = s3 * t43
-    t47 = c1 * (c2 * t45 - s2 * t46 + l1 * (t44 - t41))
-    t48 = t47 - s1 * t21 - (c1 * t24 + s1 * (c2 * t46 + s2 * t45))
-    t49 = t33 + t33
-    t50 = l2 * (t49 - (-t33 - t33))
-    t51 = c1 * (c2 * t50 - t23 - t22 + l1 * t49) - s1 * (t18 + s2 * t50 - t20)
-    t52 = c1 * (t22 + s2 * t15) + s1 * (c2 * t15 - t20)
-    t53 = -t52
-    t54 = c2 * (c1 * t50) - s2 * t26 - (c2 * t28 + s2 * (s1 * t50))
-    t55 = c2 * (t27 + s1 * t15) + s2 * (c1 * t15 - t25)
-    t56 = -t55
-
-    # results
-    square = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 3), real)
-    hessian = np.empty((*leading, 9), real)
-    square[..., 0] = t8 * t8 + t3 * t3 + t9 * t9
-    gradient[..., 0] = c1 * t21 - s1 * t24
-    gradient[..., 1] = c2 * t26 - s2 * t28
-    gradient[..., 2] = c3 * t29 - s3 * t30
-    hessian[..., 0] = t48
-    hessian[..., 1] = t51
-    hessian[..., 2] = t53
-    hessian[..., 3] = t51
-    hessian[..., 4] = t54
-    hessian[..., 5] = t56
-    hessian[..., 6] = t53
-    hessian[..., 7] = t56
-    hessian[..., 8] = -(s3 * t29 + c3 * t30)
-    return square.reshape(leading), gradient.reshape(leading + (3,)), hessian.reshape(leading + (3, 3))
 
 
 def minors_x_alpha(q, parameters):

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 0e2f3ee67647528caeeeb4bbaa7e1ce84582e1295ca542d5f0c2491d063bef31.
+ * Made from templates/kernel.c.j2; inputs 97bc6f13711b5b40374050d4af1caafbb0326fd0a263537dd01e56d25160c4a6.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "0e2f3ee67647528caeeeb4bbaa7e1ce84582e1295ca542d5f0c2491d063bef31";
+const char puma560_kinematics_digest[] = "97bc6f13711b5b40374050d4af1caafbb0326fd0a263537dd01e56d25160c4a6";
 #endif
 
 #define LANES 64

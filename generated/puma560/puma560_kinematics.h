@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 0e2f3ee67647528caeeeb4bbaa7e1ce84582e1295ca542d5f0c2491d063bef31.
+ * Made from templates/kernel.h.j2; inputs 97bc6f13711b5b40374050d4af1caafbb0326fd0a263537dd01e56d25160c4a6.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

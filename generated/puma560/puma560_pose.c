@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs ca77fd2aff08a7173343657720055644a7fa39b6897116f3f2a8669bf295a6fa.
+ * Made from templates/kernel.c.j2; inputs 598466a8381fba2dc9b2fd3f44a06cc5db30bea77fa688920c6230b39ed6a41b.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "ca77fd2aff08a7173343657720055644a7fa39b6897116f3f2a8669bf295a6fa";
+const char puma560_pose_digest[] = "598466a8381fba2dc9b2fd3f44a06cc5db30bea77fa688920c6230b39ed6a41b";
 #endif
 
 #define LANES 64

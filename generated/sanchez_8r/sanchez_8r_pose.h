@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 898d8433b25a3ff9a8279d0ce152a8f8826dc1031bd103d7868d4f2911ea33c5.
+ * Made from templates/kernel.h.j2; inputs 42836538fee762393690d1846933879b4702d4a1cb71bb243271eff1be553934.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

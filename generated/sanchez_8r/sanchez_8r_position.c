@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 898d8433b25a3ff9a8279d0ce152a8f8826dc1031bd103d7868d4f2911ea33c5.
+ * Made from templates/kernel.c.j2; inputs 42836538fee762393690d1846933879b4702d4a1cb71bb243271eff1be553934.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "898d8433b25a3ff9a8279d0ce152a8f8826dc1031bd103d7868d4f2911ea33c5";
+const char sanchez_8r_position_digest[] = "42836538fee762393690d1846933879b4702d4a1cb71bb243271eff1be553934";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.h: kinematics of ur5e.
- * Made from templates/kernel.h.j2; inputs e3a66b270900ab2646b2c33e15c54df21711941d3b6c87135246cff678583866.
+ * Made from templates/kernel.h.j2; inputs 9d58251c8d0391964fcc2f86a4e479c5eb80ece2b20eab36d5eea305cd853ba1.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

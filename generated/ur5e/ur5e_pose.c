@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs fcbf2e0a0226041f68a51952d2c2cdbde022ad8820a59cb2e9c18e6785daeb82.
+ * Made from templates/kernel.c.j2; inputs ae0f96d7ad590463da4539352f0efa77ca9ef778de28e237051a1c4167592a78.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "fcbf2e0a0226041f68a51952d2c2cdbde022ad8820a59cb2e9c18e6785daeb82";
+const char ur5e_pose_digest[] = "ae0f96d7ad590463da4539352f0efa77ca9ef778de28e237051a1c4167592a78";
 #endif
 
 #define LANES 64

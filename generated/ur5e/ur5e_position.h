@@ -1,5 +1,5 @@
 /* ur5e_position.h: manipulability (position) of ur5e.
- * Made from templates/kernel.h.j2; inputs fcbf2e0a0226041f68a51952d2c2cdbde022ad8820a59cb2e9c18e6785daeb82.
+ * Made from templates/kernel.h.j2; inputs ae0f96d7ad590463da4539352f0efa77ca9ef778de28e237051a1c4167592a78.
  * 1082 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fcbf2e0a0226041f68a51952d2c2cdbde022ad8820a59cb2e9c18e6785daeb82.
+Made from templates/kernel.py.j2; inputs ae0f96d7ad590463da4539352f0efa77ca9ef778de28e237051a1c4167592a78.
 1082 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

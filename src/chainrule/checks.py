@@ -95,7 +95,7 @@ def _programs(arm: Arm) -> list[tuple[str, Any]]:
         (group, f.program)
         for group in ("kinematics", *arm.full_rank_tasks)
         for f in catalogue.functions(model, group)
-        if not f.derivatives and f.program.inputs[0].name == "q"
+        if not f.gradient and f.program.inputs[0].name == "q"
     ]
 
 
