@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from chainrule.goals import FastestMove, Postures, fastest, postures
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
     from chainrule.timing import JointMove, min_time
+    from chainrule.workspaces import Workspace, workspace
 
 __all__ = [
     "Arm",
@@ -33,6 +34,7 @@ __all__ = [
     "Maximum",
     "NoCompilerWarning",
     "Postures",
+    "Workspace",
     "fastest",
     "generate",
     "load",
@@ -43,6 +45,7 @@ __all__ = [
     "planar",
     "planar_3r",
     "postures",
+    "workspace",
 ]
 
 _HOMES = {
@@ -55,6 +58,7 @@ _HOMES = {
         ("ManipulabilityMap", "Maximum", "manipulability_map", "max_manipulability"), "chainrule.manipulability"
     ),
     **dict.fromkeys(("JointMove", "min_time"), "chainrule.timing"),
+    **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),
 }
 
 

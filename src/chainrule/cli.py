@@ -21,6 +21,7 @@ from chainrule.commands import (  # noqa: F401  each adds its commands to the ap
     min_time,
     report,
     reproduce,
+    workspace,
 )
 from chainrule.console import app, complain, say
 from chainrule.errors import GenerationError, InputError

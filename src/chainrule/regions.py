@@ -1,7 +1,7 @@
 """Regions of the plane bounded by arcs and segments, and what a turn or a slide sweeps of them.
 
 Points are complex numbers x + iy. A region is closed; its boundary is made of loops that keep the inside on their
-left, so outer loops run counter-clockwise and holes clockwise. A region without inside is one curve, or one point.
+left, so outer loops run counter-clockwise and holes clockwise. A region without inside is a curve, or a point.
 
 Turning a region D about the origin by every angle from a to b gives a region whose boundary consists of parts of
 
@@ -33,7 +33,7 @@ Values = tuple[float, ...]
 TURN = 2.0 * math.pi
 
 #: Relative to the size of what is cut: when two curves count as touching, and when two corners as one.
-CONTACT, CORNER = 1e-12, 1e-10
+CONTACT, CORNER = 1e-13, 1e-12
 
 
 @dataclass(frozen=True)
@@ -185,17 +185,27 @@ def nearest(p: Packed, z: Array) -> tuple[Array, Array]:
     return t, np.abs(z - np.where(p.arc, on_arc, p.start + t * chord))
 
 
+def _triangle(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
+    """Apex of the triangle on the side c, at distance a from its start and b from its end: along it, and across.
+
+    The height by Heron's product, which stays accurate where the triangle is flat or one side is tiny; 0 if there is
+    no triangle.
+    """
+    area = (a + b + c) * (a + b - c) * (a - b + c) * (b - a + c)
+    return ((a - b) * (a + b) + c**2) / (2.0 * c), np.sqrt(np.maximum(area, 0.0)) / (2.0 * c)
+
+
 def circle_meets(p: Packed, radius: Array, slack: float) -> Iterator[tuple[Array, Array]]:
     """Where circles about the origin meet pieces: twice the points, and whether they are on the pieces; broadcast."""
     away, chord = np.abs(p.centre), p.end - p.start
     with np.errstate(divide="ignore", invalid="ignore"):
-        cosine = (radius**2 + away**2 - p.radius**2) / (2.0 * radius * away)
-        half = np.arccos(np.clip(cosine, -1.0, 1.0))
-        unit = chord / np.abs(chord)
+        along, across = _triangle(radius, p.radius, away)
+        towards = p.centre / away
+        unit = chord / np.where(chord == 0, 1.0, np.abs(chord))  # 0 for a point
         foot = p.start - unit * (p.start * unit.conj()).real
         reach = np.sqrt(np.maximum(radius**2 - np.abs(foot) ** 2, 0.0))
     for sign in (-1.0, 1.0):
-        at = np.where(p.arc, radius * np.exp(1j * (np.angle(p.centre) + sign * half)), foot + sign * reach * unit)
+        at = np.where(p.arc, (along + 1j * sign * across) * towards, foot + sign * reach * unit)
         valid = np.isfinite(at) & (np.abs(np.abs(at) - radius) <= slack)
         at = np.where(valid, at, 0.0)
         yield at, valid & (nearest(p, at)[1] <= slack)
@@ -207,7 +217,7 @@ class Region:
 
     Attributes:
         loops: closed sequences of pieces with the inside on their left; () for a region without inside.
-        curves: the whole region if it has no inside: one piece (a segment of length 0 for a point).
+        curves: what has no inside; a segment of length 0 is a point. What is swept is either all loops or one curve.
     """
 
     loops: tuple[tuple[Piece, ...], ...] = ()
@@ -242,8 +252,9 @@ class Region:
             halves += short
             starts += corners
             ends += corners[1:] + corners[:1]
-        p = packed(halves)
-        return replace(p, start=np.array(starts, dtype=complex), end=np.array(ends, dtype=complex))
+        p, a, b = packed(halves), np.array(starts, dtype=complex), np.array(ends, dtype=complex)
+        # the chord of a very short arc has no safe direction, and its cap no width
+        return replace(p, start=a, end=b, arc=p.arc & (np.abs(p.turn) > 1e-7))
 
     def moved(self, rotation: complex, shift: complex) -> Region:
         """Every point z at rotation z + shift, with abs(rotation) = 1."""
@@ -493,23 +504,43 @@ def sweep(
         True
     """
     ends = (low, high) if values is None else values
-    small = 8.0 * CONTACT * max(size, region.size)
+    small = 1e-11 * max(size, region.size)
     if high == low:
         return _tagged(motion.moved(region, low), joint, ends[0])
+    if math.fsum(piece.length for piece in region.pieces) <= small:
+        region = point(region.pieces[0].point(0.0), region.pieces[0].first)
     if high - low >= motion.period - 1e-12:
         share = motion.period / (high - low)
         return _revolved(region, low, joint, (ends[0], ends[0] + share * (ends[1] - ends[0])), small)
     if region.curves and (region.curves[0].length == 0.0 or motion.along(region.curves[0])):
         return Region(curves=(_lengthened(region.curves[0], motion, low, high, joint, ends, small),))
     candidates = _candidates(region, motion, low, high, joint, ends, small)
-    size = max(size, *map(_extent, candidates))
+    size = max(size, max(map(_extent, candidates)))
     everything = region._all
 
     def swept(z: Array) -> Array:
         start = region.around(motion.move(z, -0.5 * (low + high)))
         return start | motion.meets(z, low, high, everything, CONTACT * size)
 
-    return Region(assemble(candidates, swept, size))
+    loops = assemble(candidates, swept, size)
+    return Region(loops) if loops else _thin(region, motion, low, high, joint, ends, small)
+
+
+def _thin(
+    region: Region, motion: Motion, low: float, high: float, joint: int, ends: tuple[float, float], small: float
+) -> Region:
+    """What is swept where it is nowhere wider than rounding errors: the curve in its middle."""
+    curve = max(region.pieces, key=lambda piece: piece.length)
+    line = [curve.point(t) for t in np.linspace(0.0, 1.0, 33)]
+    heights = [motion.level(z) for z in line]
+    if max(heights) - min(heights) > (high - low) * (region.size if motion is Turn else 1.0):
+        return _tagged(motion.moved(region, 0.5 * (low + high)), joint, 0.5 * (ends[0] + ends[1]))
+    if motion is Turn:
+        turn = math.fsum(cmath.phase(after / before) for before, after in pairwise(line))
+        along: Piece = Arc(0j, abs(line[16]), cmath.phase(line[0]), turn, curve.first, curve.last)
+    else:
+        along = Segment(line[0].real + 1j * line[16].imag, line[-1].real + 1j * line[16].imag, curve.first, curve.last)
+    return Region(curves=(_lengthened(along, motion, low, high, joint, ends, small),))
 
 
 def _tagged(found: Region, joint: int, value: float) -> Region:
@@ -529,7 +560,7 @@ def _put(values: Values, joint: int, value: float) -> Values:
     return (*values[:joint], value, *values[joint + 1 :]) if values else ()
 
 
-def _levels(pieces: Iterable[Piece], motion: Motion) -> Iterator[Piece]:
+def levels(pieces: Iterable[Piece], motion: Motion) -> Iterator[Piece]:
     """Pieces in parts along which the level only grows, only falls, or stays."""
     for piece in pieces:
         if piece.length == 0.0:
@@ -541,7 +572,7 @@ def _levels(pieces: Iterable[Piece], motion: Motion) -> Iterator[Piece]:
 
 def _revolved(region: Region, low: float, joint: int, ends: tuple[float, float], small: float) -> Region:
     """The ring that a full turn makes of a connected region."""
-    corners = [(part.point(t), _between(part, t)) for part in _levels(region.pieces, Turn) for t in (0.0, 1.0)]
+    corners = [(part.point(t), _between(part, t)) for part in levels(region.pieces, Turn) for t in (0.0, 1.0)]
     inner, outer = min(corners, key=lambda c: abs(c[0])), max(corners, key=lambda c: abs(c[0]))
     hollow = abs(inner[0]) > small and not bool(region.around(np.zeros(1, dtype=complex))[0])
 
@@ -587,7 +618,7 @@ def _candidates(
     found: list[Piece] = []
     loops = [region.curves] if flat else list(region.loops)
     for loop in loops:
-        parts = list(_levels(loop, motion))
+        parts = list(levels(loop, motion))
         for part in parts:
             slope = _slope(part, motion)
             if flat or slope >= 0:
@@ -645,24 +676,49 @@ def assemble(
     Raises:
         GenerationError: if what remains does not close at any of the tolerances tried.
     """
-    for loosen in (1.0, 30.0, 1e3, 3e4, 1e6):
+    for loosen in (1.0, 30.0, 1e3):
         contact, corner = CONTACT * loosen * size, CORNER * loosen * size
-        kept = _boundary(candidates, inside, contact, corner, size)
-        if kept is not None:
-            return _loops(kept)
-    raise GenerationError("a workspace boundary does not close: its curves nearly coincide; change the limits slightly")
+        kept, beside, sides = _boundary(candidates, inside, contact, corner, size)
+        if kept is None:
+            continue
+        found = Region(_loops(kept))
+        if _agree(found, inside, candidates, beside, sides, 100.0 * corner):
+            return found.loops
+    raise GenerationError(
+        "a workspace boundary cannot be put together: some of its curves nearly coincide; lengths and limits that do "
+        "not nearly coincide are accepted"
+    )
+
+
+def _agree(
+    found: Region,
+    inside: Callable[[Array], Array],
+    candidates: Sequence[Piece],
+    beside: Array,
+    sides: Array,
+    reach: float,
+) -> bool:
+    """Whether loops surround what is inside: at the points that decided them, and at some all over the plane."""
+    share = np.arange(1, 201) * np.array([[0.7548776662466927], [0.5698402909980532]]) % 1.0  # spread evenly
+    ends = np.array([candidate.point(t) for candidate in candidates for t in (0.0, 0.5, 1.0)])
+    low, high = complex(ends.real.min(), ends.imag.min()), complex(ends.real.max(), ends.imag.max())
+    spread = low + (high - low).real * share[0] + 1j * (high - low).imag * share[1]
+    z, truth = np.concatenate([beside, spread]), np.concatenate([sides, inside(spread)])
+    doubtful = nearest(packed(candidates), z[:, None])[1].min(axis=1) <= reach
+    agree: bool = bool(np.all((found.around(z) == truth) | doubtful))
+    return agree
 
 
 def _boundary(
     candidates: Sequence[Piece], inside: Callable[[Array], Array], contact: float, corner: float, size: float
-) -> list[tuple[Piece, int, int]] | None:
+) -> tuple[list[tuple[Piece, int, int]] | None, Array, Array]:
     """The parts with the region on exactly one side, directed so that it is the left one, with their corners' numbers.
 
-    None if at some corner not as many begin as end.
+    None if at some corner not as many begin as end. Also the points beside the parts, and whether they are inside.
     """
     parts = _parts(candidates, contact, corner)
     if not parts:
-        return []
+        return [], np.zeros(0, dtype=complex), np.zeros(0, dtype=bool)
     p = packed([part for part, _, _ in parts])
     middle = np.array([part.point(0.5) for part, _, _ in parts])
     normal = np.array([1j * part.tangent(0.5) for part, _, _ in parts])
@@ -671,7 +727,8 @@ def _boundary(
     # between a part and its nearest neighbour nothing changes, so the middle of that gap decides most safely
     own = np.where(p.arc, np.minimum(p.radius, np.abs(p.turn) * p.radius), np.abs(p.end - p.start))
     step = 0.5 * np.minimum(gaps.min(axis=1), np.minimum(0.5 * own, 0.1 * size))
-    sides = inside(np.concatenate([middle + step * normal, middle - step * normal]))
+    beside = np.concatenate([middle + step * normal, middle - step * normal])
+    sides = inside(beside)
     left, right = sides[: len(parts)], sides[len(parts) :]
     kept = [
         (part, v, w) if on_left else (part.part(1.0, 0.0), w, v)
@@ -682,13 +739,12 @@ def _boundary(
     for _, v, w in kept:
         balance[v] = balance.get(v, 0) + 1
         balance[w] = balance.get(w, 0) - 1
-    return None if any(balance.values()) else kept
+    return (None if any(balance.values()) else kept), beside, sides
 
 
 def _parts(candidates: Sequence[Piece], contact: float, corner: float) -> list[tuple[Piece, int, int]]:
     """The candidates cut wherever they meet, without repetitions, with the numbers of their two corners."""
-    owner, share = _cuts(candidates, contact)
-    z = np.array([candidates[k].point(t) for k, t in zip(owner, share, strict=True)])
+    owner, share, z = _cuts(candidates, contact, corner)
     number = _clusters(z, corner)
     found: list[tuple[Piece, int, int]] = []
     seen: dict[tuple[int, int], list[complex]] = {}
@@ -708,16 +764,15 @@ def _parts(candidates: Sequence[Piece], contact: float, corner: float) -> list[t
     return found
 
 
-def _cuts(pieces: Sequence[Piece], contact: float) -> tuple[Array, Array]:
-    """Where to cut: the numbers of the pieces, and the shares of their ways (0 and 1 among them)."""
+def _cuts(pieces: Sequence[Piece], contact: float, corner: float) -> tuple[Array, Array, Array]:
+    """Where to cut: the numbers of the pieces, the shares of their ways (0 and 1 among them), and the points.
+
+    Every piece is also cut at every corner it passes, so that pieces which nearly coincide are cut alike.
+    """
     p = packed(pieces)
     count = len(pieces)
     owners, shares = [np.repeat(np.arange(count), 2)], [np.tile([0.0, 1.0], count)]
-    for ends in (p.start, p.end):
-        t, gap = nearest(p, ends[:, None])
-        at, on = np.nonzero(gap <= contact)
-        owners.append(on)
-        shares.append(t[at, on])
+    points = [np.stack([p.start, p.end], axis=1).reshape(-1)]
     first, second = np.triu_indices(count, 1)
     a, b = p[first], p[second]
     for z in _meetings(a, b, contact):
@@ -727,7 +782,13 @@ def _cuts(pieces: Sequence[Piece], contact: float) -> tuple[Array, Array]:
         valid &= (ga <= 4.0 * contact) & (gb <= 4.0 * contact)
         owners += [first[valid], second[valid]]
         shares += [ta[valid], tb[valid]]
-    return np.concatenate(owners), np.concatenate(shares)
+        points += [z[valid], z[valid]]
+    found = np.concatenate(points)
+    corners = found[np.unique(_clusters(found, corner), return_index=True)[1]]
+    t, gap = nearest(p, corners[:, None])
+    at, on = np.nonzero(gap <= corner)
+    owner, share = np.concatenate([*owners, on]), np.concatenate([*shares, t[at, on]])
+    return owner, share, np.concatenate([found, corners[at]])
 
 
 def _meetings(a: Packed, b: Packed, contact: float) -> list[Array]:
@@ -739,10 +800,10 @@ def _meetings(a: Packed, b: Packed, contact: float) -> list[Array]:
         # circle and circle
         d = b.centre - a.centre
         away = np.abs(d)
-        x = (away**2 + a.radius**2 - b.radius**2) / (2.0 * away)
+        x, y = _triangle(a.radius, b.radius, away)
         touch = np.minimum(np.abs(away - a.radius - b.radius), np.abs(away - np.abs(a.radius - b.radius))) <= contact
         x = np.where(touch, np.copysign(a.radius, x), x)
-        y = np.where(touch, 0.0, np.sqrt(a.radius**2 - x**2))
+        y = np.where(touch, 0.0, np.where(y > 0.0, y, np.nan))
         round_ = [np.where(away > contact, a.centre + (x + 1j * s * y) * d / away, np.nan) for s in (-1.0, 1.0)]
         # line and circle
         mixed = []
@@ -763,15 +824,18 @@ def _meetings(a: Packed, b: Packed, contact: float) -> list[Array]:
 
 
 def _clusters(z: Array, reach: float) -> Array:
-    """A number for each point (k,): the same for points within ``reach`` of each other, and of their neighbours."""
-    from scipy.sparse import coo_array
-    from scipy.sparse.csgraph import connected_components
-    from scipy.spatial import cKDTree
+    """A number for each point (k,): the same for points within ``reach`` of each other, and of their neighbours.
 
-    pairs = cKDTree(np.stack([z.real, z.imag], axis=1)).query_pairs(reach, output_type="ndarray")
-    links = coo_array((np.ones(len(pairs)), (pairs[:, 0], pairs[:, 1])), shape=(len(z), len(z)))
-    found: Array = connected_components(links, directed=False)[1]
-    return found
+    Groups are split wherever x, then y, leaves a gap, until nothing splits any more.
+    """
+    number, count = np.zeros(len(z), dtype=int), 0
+    while int(number.max(initial=0)) + 1 != count:
+        count = int(number.max(initial=0)) + 1
+        for coordinate in (z.real, z.imag):
+            order = np.lexsort((coordinate, number))
+            split = (np.diff(number[order]) > 0) | (np.diff(coordinate[order]) > reach)
+            number[order] = np.concatenate([[0], np.cumsum(split)])
+    return number
 
 
 def _loops(kept: list[tuple[Piece, int, int]]) -> tuple[tuple[Piece, ...], ...]:
@@ -828,3 +892,114 @@ def _union(a: Piece, b: Piece) -> Piece:
         return replace(a, turn=a.turn + b.turn, last=b.last)
     assert isinstance(a, Segment) and isinstance(b, Segment)
     return Segment(a.start, b.end, a.first, b.last)
+
+
+# ---- a boundary that has no closed form ------------------------------------------------------------------------------
+
+
+def trace(
+    inside: Callable[[Array], Array], low: complex, high: complex, steps: int, tolerance: float, straight: float
+) -> tuple[tuple[Piece, ...], ...]:
+    """Polygons around the points where ``inside`` holds, their corners on its boundary to within ``tolerance``.
+
+    Squares whose corners differ are found on a grid, crossings on their sides by bisection; then sides whose middle is
+    off the boundary are bent onto it, up to four times.
+
+    Args:
+        inside: for points (k,), whether they belong to the region.
+        low: the lower left corner of where to look.
+        high: the upper right one.
+        steps: squares along the longer side.
+        tolerance: of the corners, m.
+        straight: how far the middle of a side may be from the boundary, m.
+    """
+    step = max((high - low).real, (high - low).imag) / steps
+    if step <= 0.0:
+        return ()
+    # off by a share that no drawing has, so that lines of symmetry do not fall on the grid
+    nx, ny = (int(extent / step) + 4 for extent in ((high - low).real, (high - low).imag))
+    corner = low - step * complex(1.3819, 1.4142)
+    grid = corner + step * (np.arange(nx + 1)[:, None] + 1j * np.arange(ny + 1)[None, :])
+    value = inside(grid.reshape(-1)).reshape(grid.shape)
+    sides: dict[tuple[int, int, int], int] = {}
+    ends: list[tuple[complex, complex]] = []  # (inside, outside)
+    for direction, (dx, dy) in enumerate(((1, 0), (0, 1))):
+        a, b = grid[: nx + 1 - dx, : ny + 1 - dy], grid[dx:, dy:]
+        va, vb = value[: nx + 1 - dx, : ny + 1 - dy], value[dx:, dy:]
+        for i, j in np.argwhere(va != vb).tolist():
+            sides[(direction, i, j)] = len(ends)
+            ends.append((a[i, j], b[i, j]) if va[i, j] else (b[i, j], a[i, j]))
+    if not ends:
+        return ()
+    within, outside = np.array(ends).T
+    crossing = _bisected(inside, within, outside, tolerance)
+    following: dict[int, int] = {}
+    cells = {(i - dx, j - dy) for d, i, j in sides for dx, dy in ((0, 0), ((0, 1), (1, 0))[d])}
+    for i, j in sorted(cells):
+        following.update(_through(value[i : i + 2, j : j + 2], sides, i, j, inside, grid))
+    loops = []
+    while following:
+        at, after = following.popitem()
+        polygon = [at]
+        while after != polygon[0]:
+            polygon.append(after)
+            after = following.pop(after)
+        loops.append(_bent(inside, crossing[polygon], tolerance, straight))
+    pieces = [
+        tuple(Segment(complex(a), complex(b)) for a, b in zip(line, np.roll(line, -1), strict=True)) for line in loops
+    ]
+    return tuple(sorted(pieces, key=lambda loop: -abs(math.fsum(piece.area() for piece in loop))))
+
+
+def _through(
+    value: Array, sides: dict[tuple[int, int, int], int], i: int, j: int, inside: Callable[[Array], Array], grid: Array
+) -> dict[int, int]:
+    """How the boundary passes a square, with the inside on its left: from which crossing to which."""
+    # corners and sides counter-clockwise from the lower left
+    corners = [bool(value[0, 0]), bool(value[1, 0]), bool(value[1, 1]), bool(value[0, 1])]
+    number = [sides.get(key) for key in ((0, i, j), (1, i + 1, j), (0, i, j + 1), (1, i, j))]
+    # going round, the boundary comes in through sides that lead from inside to outside
+    entering = [k for k in range(4) if corners[k] and not corners[(k + 1) % 4]]
+    leaving = [k for k in range(4) if not corners[k] and corners[(k + 1) % 4]]
+    if len(entering) == 2:
+        middle = np.array([0.5 * (grid[i, j] + grid[i + 1, j + 1])])
+        joined = bool(inside(middle)[0])
+        # a joined middle cuts off the outside corners, each between a side and the next
+        leaving = [(k + 1) % 4 if joined else (k - 1) % 4 for k in entering]
+    found = {}
+    for k, m in zip(entering, leaving, strict=True):
+        start, end = number[k], number[m]
+        assert start is not None and end is not None
+        found[start] = end
+    return found
+
+
+def _bisected(inside: Callable[[Array], Array], within: Array, outside: Array, tolerance: float) -> Array:
+    """Points (k,) on the boundary between points inside and points outside."""
+    within, outside = within.copy(), outside.copy()
+    while float(np.abs(within - outside).max(initial=0.0)) > tolerance:
+        middle = 0.5 * (within + outside)
+        yes = inside(middle)
+        within, outside = np.where(yes, middle, within), np.where(yes, outside, middle)
+    return within
+
+
+def _bent(inside: Callable[[Array], Array], line: Array, tolerance: float, straight: float) -> Array:
+    """A closed polygon (k,) with more corners where the boundary is further than ``straight`` from its sides."""
+    open_ = np.ones(len(line), dtype=bool)
+    for _ in range(4):
+        sides = np.nonzero(open_)[0]
+        start, end = line[sides], np.roll(line, -1)[sides]
+        middle, across = 0.5 * (start + end), 0.25j * (end - start)
+        a, b = inside(middle + across), inside(middle - across)
+        some = (a != b) & (np.abs(across) > straight)
+        sides, middle, across, a = sides[some], middle[some], across[some], a[some]
+        ends = middle + across, middle - across
+        new = _bisected(inside, np.where(a, *ends), np.where(a, *ends[::-1]), tolerance)
+        bent = np.abs(new - middle) > straight
+        if not bent.any():
+            break
+        open_[:] = False
+        open_[sides[bent]] = True
+        line, open_ = np.insert(line, sides[bent] + 1, new[bent]), np.insert(open_, sides[bent] + 1, True)
+    return line

@@ -13,5 +13,6 @@ from __future__ import annotations
 from chainrule.plot.arm import draw_arm
 from chainrule.plot.maps import draw_map, draw_optima
 from chainrule.plot.timing import draw_profiles
+from chainrule.plot.workspace import draw_workspace
 
-__all__ = ["draw_arm", "draw_map", "draw_optima", "draw_profiles"]
+__all__ = ["draw_arm", "draw_map", "draw_optima", "draw_profiles", "draw_workspace"]

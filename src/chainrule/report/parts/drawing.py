@@ -20,8 +20,8 @@ def _build(arm: Arm, context: Context) -> Part:
     planar = "x_alpha" in arm.tasks
     if planar and "P" not in arm.kinds:
         reading = (
-            " Grey: every point the tip reaches. Blue, inside dashed circles: points it reaches with every "
-            "orientation (joints without limits)."
+            " Light: every point the tip reaches within the joint limits. Darker, inside dashed lines: points it "
+            "reaches with every orientation."
         )
     elif planar:
         reading = ""
