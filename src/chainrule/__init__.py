@@ -17,25 +17,35 @@ if TYPE_CHECKING:
     from chainrule.compile import NoCompilerWarning
     from chainrule.errors import DescriptionError, GenerationError, InputError
     from chainrule.export import generate
+    from chainrule.following import follow
     from chainrule.goals import FastestMove, Postures, fastest, postures
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
+    from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
+    from chainrule.readers.paths import read_path
     from chainrule.timing import JointMove, min_time
     from chainrule.workspaces import Workspace, workspace
 
 __all__ = [
+    "Arc",
     "Arm",
+    "Circle",
+    "Curve",
     "DescriptionError",
+    "Ellipse",
     "FastestMove",
     "GenerationError",
     "InputError",
     "JointMove",
     "Limits",
+    "Line",
     "ManipulabilityMap",
     "Maximum",
     "NoCompilerWarning",
     "Postures",
+    "Spline",
     "Workspace",
     "fastest",
+    "follow",
     "generate",
     "load",
     "manipulability_map",
@@ -45,6 +55,7 @@ __all__ = [
     "planar",
     "planar_3r",
     "postures",
+    "read_path",
     "workspace",
 ]
 
@@ -57,7 +68,10 @@ _HOMES = {
     **dict.fromkeys(
         ("ManipulabilityMap", "Maximum", "manipulability_map", "max_manipulability"), "chainrule.manipulability"
     ),
+    **dict.fromkeys(("Arc", "Circle", "Curve", "Ellipse", "Line", "Spline"), "chainrule.paths"),
     **dict.fromkeys(("JointMove", "min_time"), "chainrule.timing"),
+    "follow": "chainrule.following",
+    "read_path": "chainrule.readers.paths",
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),
 }
 

@@ -188,7 +188,7 @@ class Arm:
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and what planar arms have more."""
+        """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and more for planar arms."""
         planar = isinstance(self._description.geometry, Planar)
         more = (("motion", "speed_ratio") if self.n in (3, 4) else ("motion",)) if planar else ()
         return ("kinematics", *self.full_rank_tasks, *more)

@@ -16,6 +16,7 @@ import typer
 
 from chainrule.commands import (  # noqa: F401  each adds its commands to the application
     arms,
+    follow,
     generate,
     manipulability,
     min_time,

@@ -111,11 +111,11 @@ def from_toml(content: bytes) -> Description:
         >>> from_toml(b'chainrule = 1\nname = "a"\nangles = "deg"\n[planar]\nkinds = "RR"\nlengths = [1, 2]').kinds
         'RR'
     """
-    table = _parsed(content)
+    table = parsed(content)
     if table.get("chainrule") != SCHEMA or isinstance(table["chainrule"], bool):
         said = shown(table["chainrule"]) if "chainrule" in table else "missing"
         raise DescriptionError(f"key 'chainrule': {said}; the schema's version is accepted: chainrule = {SCHEMA}")
-    _known(table, _TOP, "the file")
+    known(table, _TOP, "the file")
     angle = _unit(table, "angles")
     limit_angle = _unit(table, "limit_angles") if "limit_angles" in table else angle
     description = _arm(table, angle)
@@ -137,7 +137,8 @@ def radians(degrees: float) -> float:
     return (degrees / 90.0) * (math.pi / 2) if degrees % 90.0 == 0.0 else math.radians(degrees)
 
 
-def _parsed(content: bytes) -> dict[str, Any]:
+def parsed(content: bytes) -> dict[str, Any]:
+    """The tables of a TOML file."""
     try:
         text = content.decode("utf-8-sig")
         if sum(1 for _ in _BETWEEN_DOTS.finditer(text)) > _MOST_BETWEEN_DOTS:
@@ -187,31 +188,31 @@ def _arm(table: Mapping[str, Any], angle: _Angle) -> Description:
     if "tool" in table:
         raise DescriptionError(f"[tool]: accepted with [dh] only; the last length of [{given[0]}] ends at the tip")
     if given[0] == "planar":
-        _known(geometry, ("kinds", "lengths", "headings"), "[planar]")
-        lengths = _list(_required(geometry, "lengths", "[planar]"), "[planar] lengths")
+        known(geometry, ("kinds", "lengths", "headings"), "[planar]")
+        lengths = _list(required(geometry, "lengths", "[planar]"), "[planar] lengths")
         headings = geometry.get("headings")
         if headings is not None:
             listed = enumerate(_list(headings, "[planar] headings"), 1)
             headings = [angle(heading, f"[planar] headings, joint {i}") for i, heading in listed]
         kinds = _text(geometry, "kinds", where="[planar] ")
         return planar(kinds, lengths, headings, name=name, joint_names=names, source=source)
-    _known(geometry, _LENGTHS, "[orthogonal_3r]")
-    d2, d3, d4, r2 = (_required(geometry, key, "[orthogonal_3r]") for key in _LENGTHS)
+    known(geometry, _LENGTHS, "[orthogonal_3r]")
+    d2, d3, d4, r2 = (required(geometry, key, "[orthogonal_3r]") for key in _LENGTHS)
     return orthogonal_3r(d2, d3, d4, r2, name=name, joint_names=names, source=source)
 
 
 def _dh(
     table: Mapping[str, Any], tool: Transform, angle: _Angle, name: str, names: list[str] | None, source: str
 ) -> Description:
-    _known(table, ("convention", "rows"), "[dh]")
+    known(table, ("convention", "rows"), "[dh]")
     rows = []
-    for i, entry in enumerate(_list(_required(table, "rows", "[dh]"), "[dh] rows"), 1):
+    for i, entry in enumerate(_list(required(table, "rows", "[dh]"), "[dh] rows"), 1):
         where = f"[dh] row {i}"
         row = _table(entry, where)
-        _known(row, COLUMNS, where)
-        kind, alpha, a, d, theta = (_required(row, column, where) for column in COLUMNS)
+        known(row, COLUMNS, where)
+        kind, alpha, a, d, theta = (required(row, column, where) for column in COLUMNS)
         rows.append((kind, angle(alpha, f"{where}, column 'alpha'"), a, d, angle(theta, f"{where}, column 'theta'")))
-    convention = _required(table, "convention", "[dh]")
+    convention = required(table, "convention", "[dh]")
     return from_dh(rows, convention=convention, tool=tool, name=name, joint_names=names, source=source)
 
 
@@ -224,7 +225,7 @@ def _tool(table: Mapping[str, Any], angle: _Angle) -> Transform:
             raise DescriptionError("[tool]: either matrix or xyz and rpy is accepted, not both")
         matrix = as_transform(_list(tool["matrix"], "[tool] matrix"), "[tool] matrix")
         return matrix
-    _known(tool, ("xyz", "rpy", "matrix"), "[tool]")
+    known(tool, ("xyz", "rpy", "matrix"), "[tool]")
     x, y, z = _vector(tool.get("xyz", (0, 0, 0)), "[tool] xyz")
     roll, pitch, yaw = (angle(value, "[tool] rpy") for value in _vector(tool.get("rpy", (0, 0, 0)), "[tool] rpy"))
     return Transform.shift(x, y, z) @ rotation_rpy(roll, pitch, yaw)
@@ -247,7 +248,7 @@ def _joints(table: Mapping[str, Any], n: int) -> list[Mapping[str, Any]]:
     if len(joints) != n:
         raise DescriptionError(f"[[joints]]: {len(joints)} tables for {n} joints; none, or one per joint, is accepted")
     for i, joint in enumerate(joints, 1):
-        _known(joint, ("name", *_LIMITS, "inertia"), f"joint {i}")
+        known(joint, ("name", *_LIMITS, "inertia"), f"joint {i}")
     return joints
 
 
@@ -278,20 +279,22 @@ def _inertia(joint: Mapping[str, Any], number: int) -> Inertia | None:
         return None
     where = f"joint {number}, inertia"
     table = _table(joint["inertia"], where)
-    _known(table, ("mass", "centre", *_TENSOR), where)
-    xx, xy, xz, yy, yz, zz = (check_finite(_required(table, key, where), f"{where}, {key}") for key in _TENSOR)
+    known(table, ("mass", "centre", *_TENSOR), where)
+    xx, xy, xz, yy, yz, zz = (check_finite(required(table, key, where), f"{where}, {key}") for key in _TENSOR)
     tensor: Matrix3 = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-    mass = check_finite(_required(table, "mass", where), f"{where}, mass")
-    return Inertia(mass, _vector(_required(table, "centre", where), f"{where}, centre"), tensor)
+    mass = check_finite(required(table, "mass", where), f"{where}, mass")
+    return Inertia(mass, _vector(required(table, "centre", where), f"{where}, centre"), tensor)
 
 
-def _known(table: Mapping[str, Any], accepted: Iterable[str], where: str) -> None:
+def known(table: Mapping[str, Any], accepted: Iterable[str], where: str) -> None:
+    """Refuse keys that are not among the accepted ones."""
     for key in table:
         if key not in accepted:
             raise DescriptionError(f"{where}: unknown key {shown(key)}; accepted are {', '.join(accepted)}")
 
 
-def _required(table: Mapping[str, Any], key: str, where: str) -> Any:
+def required(table: Mapping[str, Any], key: str, where: str) -> Any:
+    """The value of a key that must be there."""
     if key not in table:
         raise DescriptionError(f"{where}: the key '{key}' is missing")
     return table[key]

@@ -35,6 +35,8 @@ ORDER = (
     "map",
     "reach",
     "timing",
+    "speed_ratio",
+    "following",
     "generated",
     "checked",
 )
