@@ -188,16 +188,17 @@ class _Numbering:
     """Values with equal definitions share one index (commutative arguments are ordered)."""
 
     values: list[Value] = field(default_factory=list)
-    known: dict[Value, int] = field(default_factory=dict)
+    known: dict[Any, int] = field(default_factory=dict)
 
     def add(self, op: str, *args: Operand) -> Operand:
         folded = self._fold(op, args)
         if not isinstance(folded, Value):
             return folded
-        if folded not in self.known:
-            self.known[folded] = len(self.values)
+        key = (folded.op, tuple((type(a), a) for a in folded.args))  # the constant 6.0 is not the value number 6
+        if key not in self.known:
+            self.known[key] = len(self.values)
             self.values.append(folded)
-        return self.known[folded]
+        return self.known[key]
 
     def _negated(self, operand: Operand) -> int | None:
         """The index of x where the operand is -x."""

@@ -157,7 +157,7 @@ def terms(arm: PlanarChain, leading: int) -> Program:
 
     # gone = -(slant kept + offset) on the line (5)
     pivot = either("pivot", line[1], line[0])
-    inverse = steps.let("inverse", guarded(pivot, steps.let("solvable", exceeds(pivot, ROUNDING * size))))
+    inverse = steps.let("inverse", guarded(steps, pivot, steps.let("solvable", exceeds(pivot, ROUNDING * size))))
     slant = steps.let("slant", either("other", line[0], line[1]) * inverse)
     offset = steps.let("offset", line[2] * inverse)
     b = [steps.let(f"b{k + 1}", e) for k, e in enumerate(eliminated(slant, offset, ordered("kept", constant)))]
@@ -220,9 +220,13 @@ def exceeds(value: Expression, bound: Expression) -> Expression:
     return (1 - CopySign(one, bound - CopySign(value, one))) / 2
 
 
-def guarded(value: Expression, there: Expression) -> Expression:
-    """1 / value where ``there`` is 1, and 0 where it is 0."""
-    return there / (there * value + (1 - there))
+def guarded(steps: Steps, value: Expression, there: Expression) -> Expression:
+    """1 / value where ``there`` is 1, and 0 where it is 0.
+
+    What is added to the divisor has a name: in one sum with the rest, 1 - there would be rounded as if it were near 1.
+    """
+    absent = steps.let("absent", 1 - there)
+    return there / (there * value + absent)
 
 
 def eliminated(slant: Expression, offset: Expression, conic: Row) -> Row:
@@ -268,7 +272,7 @@ def rates(arm: PlanarChain) -> Program:
     norm = steps.let("norm", sp.sqrt(sum((e**2 for e in (*frame.along, *frame.across)), zero)))
     # J is right to a rounding of size, N to one of size |J|, n to one of size |J| / H
     regular = steps.let("regular", exceeds(height, ROUNDING * size * norm))
-    inverse = steps.let("inverse", guarded(height, regular))
+    inverse = steps.let("inverse", guarded(steps, height, regular))
     null = [steps.let(f"null{k + 1}", e * inverse) for k, e in enumerate(normal)]
     least = [steps.let(f"least{k + 1}", e * inverse) for k, e in enumerate(cross(frame.across, null))]
     own, other = (_named(steps, frame.rates(x), label) for x, label in ((null, "n"), (least, "l")))
@@ -291,10 +295,10 @@ def rates(arm: PlanarChain) -> Program:
     root = steps.let("root", sp.sqrt(sp.Max(slack, zero)))
     half = steps.let("half", -(p1 + CopySign(root, p1)) / 2)
     steep = steps.let("steep", (1 - bent) * sloped)
-    vertex = steps.let("vertex", -p1 * guarded(2 * p2, bent))
-    single = steps.let("single", (1 - twice) * (vertex - gap * guarded(p1, steep)))
-    first = steps.let("z1", gap * guarded(half, twice) + single)
-    second = steps.let("z2", half * guarded(p2, twice))
+    vertex = steps.let("vertex", -p1 * guarded(steps, 2 * p2, bent))
+    single = steps.let("single", (1 - twice) * (vertex - gap * guarded(steps, p1, steep)))
+    first = steps.let("z1", gap * guarded(steps, half, twice) + single)
+    second = steps.let("z2", half * guarded(steps, p2, twice))
     e1, e2, e3 = LEADING.symbols
     found: Row = []
     ratios: Row = []
@@ -307,7 +311,7 @@ def rates(arm: PlanarChain) -> Program:
         most = steps.let(f"most{number}", sp.Max(*(CopySign(e, one) for e in x)))
         leads = steps.let(f"leads_{number}", exceeds(lead, STANDSTILL * most))
         still += exists * (1 - leads)
-        share = steps.let(f"share{number}", guarded(lead, leads))
+        share = steps.let(f"share{number}", guarded(steps, lead, leads))
         ratios += [(x[0] + e1 * (x[1] - x[0])) * share, (x[2] + e3 * (x[1] - x[2])) * share]
         links = _named(steps, frame.rates(x), str(number))
         bend_along, bend = frame.second(links, links)

@@ -124,6 +124,8 @@ def given(ports: Sequence[tuple[str, Sequence[int]]], arm: Any, q: np.ndarray) -
             weights = np.random.default_rng(sum(map(ord, name))).uniform(1.0, 3.0, (q.shape[-1], math.prod(shape)))
             with np.errstate(invalid="ignore"):
                 values = np.cos((q.astype(float)[..., None] * weights).sum(axis=-2))  # row by row alike, unlike @
+            if name == "leading":  # a choice of one joint
+                values = np.eye(values.shape[-1])[np.nan_to_num(values).argmax(axis=-1)]
             found.append((np.abs(values) + 0.1 if name in POSITIVE else values).astype(q.dtype))
     return found
 

@@ -307,6 +307,14 @@ def test_sine_of_a_sum_is_refused():
         emit.unit("u", "u", "u", [kernel], "0" * 64)
 
 
+def test_a_constant_is_not_the_number_of_a_value():
+    """In Python 6.0 == 6, with the same hash: six times x and the value number 6 times x are two values."""
+    numbering = lower._Numbering()
+    entries = [numbering.add("input", 0, k) for k in range(8)]
+    for k in entries:
+        assert numbering.add("mul", float(k), entries[7]) != numbering.add("mul", k, entries[7])
+
+
 def test_operations_are_counted():
     x, y = sp.symbols("q1 q2", real=True)
     kernel = lower.lower(catalogue.Function("f", operations_program([sp.sin(x) * y + 1])))

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 5c73870d82f82985dd5240af6bd00b314566e19e07643d45781e394e3e32fbad.
+ * Made from templates/kernel.c.j2; inputs a0e92cd028d73937d511a3c9a77c3acfab8b8d89ca648875723a4b315b91239a.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "5c73870d82f82985dd5240af6bd00b314566e19e07643d45781e394e3e32fbad";
+const char crx10ial_kinematics_digest[] = "a0e92cd028d73937d511a3c9a77c3acfab8b8d89ca648875723a4b315b91239a";
 #endif
 
 #define LANES 64

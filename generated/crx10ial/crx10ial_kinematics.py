@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5c73870d82f82985dd5240af6bd00b314566e19e07643d45781e394e3e32fbad.
+Made from templates/kernel.py.j2; inputs a0e92cd028d73937d511a3c9a77c3acfab8b8d89ca648875723a4b315b91239a.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 65b6c3079d4d3abe5dff9a3e6776b307111b4216ecd87b294d743a65069b8f3f.
+ * Made from templates/kernel.h.j2; inputs 506a25311a913c36eff32b866eb065724199efa1876f6e5f72da74d90168d2f1.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

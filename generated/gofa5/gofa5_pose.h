@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 1fbe732093680c31565e69ebc3eff67afe42bff2e46426d2940ca9e2c8d7917d.
+ * Made from templates/kernel.h.j2; inputs d4aad43d68114ce7c5dc7b403d7a838e5d5102e3270fbaa8b06cf58334406575.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1fbe732093680c31565e69ebc3eff67afe42bff2e46426d2940ca9e2c8d7917d.
+Made from templates/kernel.py.j2; inputs d4aad43d68114ce7c5dc7b403d7a838e5d5102e3270fbaa8b06cf58334406575.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 1fbe732093680c31565e69ebc3eff67afe42bff2e46426d2940ca9e2c8d7917d.
+ * Made from templates/kernel.c.j2; inputs d4aad43d68114ce7c5dc7b403d7a838e5d5102e3270fbaa8b06cf58334406575.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "1fbe732093680c31565e69ebc3eff67afe42bff2e46426d2940ca9e2c8d7917d";
+const char gofa5_position_digest[] = "d4aad43d68114ce7c5dc7b403d7a838e5d5102e3270fbaa8b06cf58334406575";
 #endif
 
 #define LANES 64

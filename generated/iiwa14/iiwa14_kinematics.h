@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 2ff328b6024fec250fa5681402ed23ad326e7339ccd93f3de710c599e9081f2e.
+ * Made from templates/kernel.h.j2; inputs 653022c9cdcc763b3b54bf0bde19eb0ca118bebb8dfa9f62169288bcd568bc78.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

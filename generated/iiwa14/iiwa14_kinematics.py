@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2ff328b6024fec250fa5681402ed23ad326e7339ccd93f3de710c599e9081f2e.
+Made from templates/kernel.py.j2; inputs 653022c9cdcc763b3b54bf0bde19eb0ca118bebb8dfa9f62169288bcd568bc78.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0e8827981e2d65a3a45cca9bbd62b1ea1c80e67bd5dced6dc737316fd0588929.
+Made from templates/kernel.py.j2; inputs 5b11d43824bb1cce6a5e5d97a1560319ea921b2f53c30760dde4453572953761.
 2462 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

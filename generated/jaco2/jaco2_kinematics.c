@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 5a0eb30d5157f07bdd251eebb3641dbfe25c4b14aa5a9790fcd4292dbd0e2d7b.
+ * Made from templates/kernel.c.j2; inputs f9f15022e3778ede56626c1513fb503104c6175770d7d6472b525ca0ca800107.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "5a0eb30d5157f07bdd251eebb3641dbfe25c4b14aa5a9790fcd4292dbd0e2d7b";
+const char jaco2_kinematics_digest[] = "f9f15022e3778ede56626c1513fb503104c6175770d7d6472b525ca0ca800107";
 #endif
 
 #define LANES 64

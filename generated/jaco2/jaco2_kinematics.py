@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5a0eb30d5157f07bdd251eebb3641dbfe25c4b14aa5a9790fcd4292dbd0e2d7b.
+Made from templates/kernel.py.j2; inputs f9f15022e3778ede56626c1513fb503104c6175770d7d6472b525ca0ca800107.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_pose.h: manipulability (pose) of jaco2.
- * Made from templates/kernel.h.j2; inputs 8be0cb6297cd10d0ff2a969599f9895161258c541e35880a8f3ea86fb416bc4b.
+ * Made from templates/kernel.h.j2; inputs 05b029c5282ab44e9701a71d8b4563a0e32aaef32dbb0aea12af1d58bc818707.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

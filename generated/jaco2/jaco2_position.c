@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 8be0cb6297cd10d0ff2a969599f9895161258c541e35880a8f3ea86fb416bc4b.
+ * Made from templates/kernel.c.j2; inputs 05b029c5282ab44e9701a71d8b4563a0e32aaef32dbb0aea12af1d58bc818707.
  * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "8be0cb6297cd10d0ff2a969599f9895161258c541e35880a8f3ea86fb416bc4b";
+const char jaco2_position_digest[] = "05b029c5282ab44e9701a71d8b4563a0e32aaef32dbb0aea12af1d58bc818707";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8be0cb6297cd10d0ff2a969599f9895161258c541e35880a8f3ea86fb416bc4b.
+Made from templates/kernel.py.j2; inputs 05b029c5282ab44e9701a71d8b4563a0e32aaef32dbb0aea12af1d58bc818707.
 1419 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

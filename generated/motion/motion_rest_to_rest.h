@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 09cbb49c87cbdfe1b19434de73b0f09f3e2cb35e084ba23386d0df32545e4ef1.
+ * Made from templates/kernel.h.j2; inputs df124c71276af8473fe076f57ddcdf57f933276e78c14d274ae1e53243552f35.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 09cbb49c87cbdfe1b19434de73b0f09f3e2cb35e084ba23386d0df32545e4ef1.
+Made from templates/kernel.py.j2; inputs df124c71276af8473fe076f57ddcdf57f933276e78c14d274ae1e53243552f35.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

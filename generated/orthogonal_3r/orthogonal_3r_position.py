@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 53c570449342b9c7345267809292121ff668244298ff6a04fdf977a374c77a33.
+Made from templates/kernel.py.j2; inputs b673e00623f1c378ec031a5c8d5744025e8b21aa17e33d386db965be3e7ba2ae.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7d5fba6adffb7a423c96e9b7c4907615c782a04a6fcc77d81a009c5740605109.
+Made from templates/kernel.py.j2; inputs 5b758a0bb537ddcc5f066c11def70b3421990a8d3e348d65589a4f8b544d601e.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

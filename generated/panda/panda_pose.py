@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 88a32b31090e01dee2dea518f6afa77160591d78314cd526ad4576e864359a0e.
+Made from templates/kernel.py.j2; inputs 7f486b5f56e4c2b0c5be0e7d4d52ccd0d89a41cfd0ab881e0a317f765dfc514e.
 2645 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

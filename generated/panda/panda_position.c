@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 88a32b31090e01dee2dea518f6afa77160591d78314cd526ad4576e864359a0e.
+ * Made from templates/kernel.c.j2; inputs 7f486b5f56e4c2b0c5be0e7d4d52ccd0d89a41cfd0ab881e0a317f765dfc514e.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "88a32b31090e01dee2dea518f6afa77160591d78314cd526ad4576e864359a0e";
+const char panda_position_digest[] = "7f486b5f56e4c2b0c5be0e7d4d52ccd0d89a41cfd0ab881e0a317f765dfc514e";
 #endif
 
 #define LANES 64

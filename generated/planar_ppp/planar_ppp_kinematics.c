@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.c: kinematics of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 29e1195709f7807bd83203d17ad18f0468967960751db8bcfae66cbb7ad84bad.
+ * Made from templates/kernel.c.j2; inputs da72bb8ec1c45dffef6861b17795aac205e3afb0b827cf0b7aab4b9ec3c485c5.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_kinematics_digest[] = "29e1195709f7807bd83203d17ad18f0468967960751db8bcfae66cbb7ad84bad";
+const char planar_ppp_kinematics_digest[] = "da72bb8ec1c45dffef6861b17795aac205e3afb0b827cf0b7aab4b9ec3c485c5";
 #endif
 
 #define LANES 64

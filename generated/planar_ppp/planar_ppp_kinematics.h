@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 29e1195709f7807bd83203d17ad18f0468967960751db8bcfae66cbb7ad84bad.
+ * Made from templates/kernel.h.j2; inputs da72bb8ec1c45dffef6861b17795aac205e3afb0b827cf0b7aab4b9ec3c485c5.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

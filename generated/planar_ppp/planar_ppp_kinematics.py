@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 29e1195709f7807bd83203d17ad18f0468967960751db8bcfae66cbb7ad84bad.
+Made from templates/kernel.py.j2; inputs da72bb8ec1c45dffef6861b17795aac205e3afb0b827cf0b7aab4b9ec3c485c5.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

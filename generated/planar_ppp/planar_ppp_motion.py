@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9acedafa334db5c36932cda65b41bfd6d4ac8260b00c3534f38d0666f8e20835.
+Made from templates/kernel.py.j2; inputs 2795d2bc3a5a40211da04ec1343f2456c2b1042330c958a7ccf1f3a466ce507b.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

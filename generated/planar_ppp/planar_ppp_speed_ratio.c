@@ -1,6 +1,6 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 74ad5c6d3b4515eec6ec3f30d3079b7745dc3f2f41f9f89b0ec6b94ffd039101.
- * 589 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 7b6cafd8b2efbe0688f7eeb022b7330383bb1b5a15fb8d2137d09e6ed8b4bc33.
+ * 587 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "74ad5c6d3b4515eec6ec3f30d3079b7745dc3f2f41f9f89b0ec6b94ffd039101";
+const char planar_ppp_speed_ratio_digest[] = "7b6cafd8b2efbe0688f7eeb022b7330383bb1b5a15fb8d2137d09e6ed8b4bc33";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 74ad5c6d3b4515eec6ec3f30d3079b7745dc3f2f41f9f89b0ec6b94ffd039101.
- * 589 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 7b6cafd8b2efbe0688f7eeb022b7330383bb1b5a15fb8d2137d09e6ed8b4bc33.
+ * 587 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -96,7 +96,7 @@ void planar_ppp_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   241 operations */
+ *   239 operations */
 void planar_ppp_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_ppp_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppp_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);

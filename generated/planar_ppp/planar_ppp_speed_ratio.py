@@ -1,7 +1,7 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 74ad5c6d3b4515eec6ec3f30d3079b7745dc3f2f41f9f89b0ec6b94ffd039101.
-589 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 7b6cafd8b2efbe0688f7eeb022b7330383bb1b5a15fb8d2137d09e6ed8b4bc33.
+587 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -83,7 +83,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t27 = t9 * t26 + t11 * t25
     t28 = t3 * t26 + t6 * t25
     t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
-    t30 = t29 / (1.0 - t28 * t29 - t29)
+    t30 = t29 / (1.0 - t29 - t28 * t29)
     t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t3 * t25 + t6 * t26))
     t32 = t15 + t27 * (t8 * t30)
 
@@ -204,7 +204,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t27 = t9 * t26 + t11 * t25
     t28 = t1 * t26 + t6 * t25
     t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
-    t30 = t29 / (1.0 - t28 * t29 - t29)
+    t30 = t29 / (1.0 - t29 - t28 * t29)
     t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t1 * t25 + t6 * t26))
     t32 = t16 + t27 * (t8 * t30)
 
@@ -325,7 +325,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t27 = t9 * t26 + t11 * t25
     t28 = t1 * t26 + t4 * t25
     t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
-    t30 = t29 / (1.0 - t28 * t29 - t29)
+    t30 = t29 / (1.0 - t29 - t28 * t29)
     t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t1 * t25 + t4 * t26))
     t32 = t16 + t27 * (t8 * t30)
 
@@ -373,7 +373,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 241 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 239 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -450,7 +450,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t26 = np.sqrt((t23 * t23 + t24 * t24 + t25 * t25))
     t27 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t18 * np.sqrt(t22) - np.copysign(t26, 1.0))
     t28 = 0.5 - t27
-    t29 = t28 / (1.0 + t26 * t28 - t28)
+    t29 = t28 / (1.0 - t28 + t26 * t28)
     t30 = t25 * t29
     t31 = t24 * t29
     t32 = t29 * (t10 * t30 - t13 * t31)
@@ -478,13 +478,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t54 = t47 * leads1 + t48 * leads2 + t49 * leads3
     t55 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t47, 1.0), np.copysign(t48, 1.0)), np.copysign(t49, 1.0)) - np.copysign(t54, 1.0)
     t56 = 0.5 - 0.5 * np.copysign(1.0, t55)
-    t57 = t56 / (1.0 + t54 * t56 - t56)
-    t58 = t51 * leads1 + t52 * leads2 + t53 * leads3
-    t59 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t51, 1.0), np.copysign(t52, 1.0)), np.copysign(t53, 1.0)) - np.copysign(t58, 1.0)
-    t60 = 0.5 - 0.5 * np.copysign(1.0, t59)
-    t61 = t60 / (1.0 + t58 * t60 - t60)
-    t62 = 4.0 + t28 * (t40 * t44 + t41 * (2.0 + t39)) - 4.0 * t28
-    t63 = t41 * (1.0 - t39) * (0.5 + 0.5 * np.copysign(1.0, t36 * t38 - t43))
+    t57 = 1.0 - t56
+    t58 = t56 / (t57 + t54 * t56)
+    t59 = t51 * leads1 + t52 * leads2 + t53 * leads3
+    t60 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t51, 1.0), np.copysign(t52, 1.0)), np.copysign(t53, 1.0)) - np.copysign(t59, 1.0)
+    t61 = 0.5 - 0.5 * np.copysign(1.0, t60)
+    t62 = 1.0 - t61
+    t63 = t61 / (t62 + t59 * t61)
+    t64 = 4.0 + t28 * (t40 * t44 + t41 * (2.0 + t39)) - 4.0 * t28
+    t65 = t41 * (1.0 - t39) * (0.5 + 0.5 * np.copysign(1.0, t36 * t38 - t43))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -502,19 +504,19 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     rates[..., 3] = t51
     rates[..., 4] = t52
     rates[..., 5] = t53
-    ratios[..., 0] = t57 * (t47 + leads1 * (t48 - t47))
-    ratios[..., 1] = t57 * (t49 + leads3 * (t48 - t49))
-    ratios[..., 2] = t61 * (t51 + leads1 * (t52 - t51))
-    ratios[..., 3] = t61 * (t53 + leads3 * (t52 - t53))
+    ratios[..., 0] = t58 * (t47 + leads1 * (t48 - t47))
+    ratios[..., 1] = t58 * (t49 + leads3 * (t48 - t49))
+    ratios[..., 2] = t63 * (t51 + leads1 * (t52 - t51))
+    ratios[..., 3] = t63 * (t53 + leads3 * (t52 - t53))
     tracked[..., 0] = 0.0
     tracked[..., 1] = 0.0
     tracked_rate[..., 0] = 0.0
     tracked_rate[..., 1] = 0.0
-    verdict[..., 0] = t62
+    verdict[..., 0] = t64
     verdict[..., 1] = t28 * (1.0 + t44)
     verdict[..., 2] = 0.0
-    verdict[..., 3] = t28 * (t42 + t40 * t45 + t63)
-    verdict[..., 4] = t50 * (1.0 - t60) + t28 * (1.0 - t56)
+    verdict[..., 3] = t28 * (t42 + t40 * t45 + t65)
+    verdict[..., 4] = t50 * t62 + t28 * t57
     parabola[..., 0] = 0.0
     parabola[..., 1] = 0.0
     parabola[..., 2] = 0.0

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 79c97da4e5401086c7b1b75906d2c387ccbb62b8c034b56f8bf2ff1bb4f69b84.
+ * Made from templates/kernel.c.j2; inputs d9aadd00d0447a408ffd152f657846fd1d059619f858d8f72202b7eaaf34a346.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "79c97da4e5401086c7b1b75906d2c387ccbb62b8c034b56f8bf2ff1bb4f69b84";
+const char planar_ppr_motion_digest[] = "d9aadd00d0447a408ffd152f657846fd1d059619f858d8f72202b7eaaf34a346";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 79c97da4e5401086c7b1b75906d2c387ccbb62b8c034b56f8bf2ff1bb4f69b84.
+Made from templates/kernel.py.j2; inputs d9aadd00d0447a408ffd152f657846fd1d059619f858d8f72202b7eaaf34a346.
 194 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

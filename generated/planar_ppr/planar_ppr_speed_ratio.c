@@ -1,6 +1,6 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs fefc760f76da20fd3eff38696e4c280263624ee2a6765cb1b8f1705b60e455fe.
- * 763 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 574b0181bba337937613449436930e4e537c22cc9407120f6e1904ecd3ea750c.
+ * 758 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "fefc760f76da20fd3eff38696e4c280263624ee2a6765cb1b8f1705b60e455fe";
+const char planar_ppr_speed_ratio_digest[] = "574b0181bba337937613449436930e4e537c22cc9407120f6e1904ecd3ea750c";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fefc760f76da20fd3eff38696e4c280263624ee2a6765cb1b8f1705b60e455fe.
-763 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 574b0181bba337937613449436930e4e537c22cc9407120f6e1904ecd3ea750c.
+758 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -84,7 +84,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t29 = t11 * t28 + t14 * t27
     t30 = t3 * t28 + t8 * t27
     t31 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign((-t30), 1.0))
-    t32 = t31 / (1.0 - t30 * t31 - t31)
+    t32 = t31 / (1.0 - t31 - t30 * t31)
     t33 = t32 * (t3 * t27 + t8 * t28)
     t34 = t11 * t27 + t14 * t28 + t29 * t33
     t35 = t34 * t34
@@ -217,7 +217,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t29 = t11 * t28 + t14 * t27
     t30 = t1 * t28 + t8 * t27
     t31 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign((-t30), 1.0))
-    t32 = t31 / (1.0 - t30 * t31 - t31)
+    t32 = t31 / (1.0 - t31 - t30 * t31)
     t33 = t32 * (t1 * t27 + t8 * t28)
     t34 = t11 * t27 + t14 * t28 + t29 * t33
     t35 = t34 * t34
@@ -350,7 +350,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t29 = t11 * t28 + t13 * t27
     t30 = t1 * t28 + t4 * t27
     t31 = 0.5 - 0.5 * np.copysign(1.0, t26 - np.copysign((-t30), 1.0))
-    t32 = t31 / (1.0 - t30 * t31 - t31)
+    t32 = t31 / (1.0 - t31 - t30 * t31)
     t33 = t11 * t27 + t13 * t28 + t29 * (t32 * (t1 * t27 + t4 * t28))
     t34 = t33 * t33
     t35 = t18 + t29 * (t10 * t32)
@@ -400,7 +400,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 346 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 341 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading2)
@@ -478,7 +478,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t27 = np.sqrt((t24 * t24 + t25 * t25 + t26 * t26))
     t28 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t20 * np.sqrt(t23) - np.copysign(t27, 1.0))
     t29 = 0.5 - t28
-    t30 = t29 / (1.0 + t27 * t29 - t29)
+    t30 = t29 / (1.0 - t29 + t27 * t29)
     t31 = t26 * t30
     t32 = t25 * t30
     t33 = t30 * (t10 * t31 - t15 * t32)
@@ -506,42 +506,45 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t55 = t48 * t48 - t38 * (4.0 * t52)
     t56 = np.maximum(0.0, t55)
     t57 = t41 * (0.5 - 0.5 * np.copysign(1.0, t54 - np.copysign(t56, 1.0)))
-    t58 = 0.5 - 0.5 * np.copysign(1.0, t47 - t49)
-    t59 = 1.0 - t41
-    t60 = t58 * t59
-    t61 = t52 * t60 / (1.0 + t48 * t60 - t60) - t41 * t48 / (1.0 - t38 * (t41 + t41) - t41)
-    t62 = t57 * (-0.5 * t48 - 0.5 * np.copysign(np.sqrt(t56), t48))
-    t63 = (1.0 - t57) * t61 - t52 * t57 / (1.0 + t62 - t57)
-    t64 = t29 * (t33 + t34 * t63)
-    t65 = t29 * (t42 + t32 * t63)
-    t66 = t29 * (t43 + t31 * t63)
-    t67 = t29 * t57
-    t68 = t62 / (1.0 - t38 * t57 - t57)
-    t69 = t67 * (t33 + t34 * t68)
-    t70 = t67 * (t42 + t32 * t68)
-    t71 = t67 * (t43 + t31 * t68)
-    t72 = t64 * leads1 + t65 * leads2 + t66 * leads3
-    t73 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t64, 1.0), np.copysign(t65, 1.0)), np.copysign(t66, 1.0)) - np.copysign(t72, 1.0)
-    t74 = 0.5 - 0.5 * np.copysign(1.0, t73)
-    t75 = t74 / (1.0 + t72 * t74 - t74)
-    t76 = t69 * leads1 + t70 * leads2 + t71 * leads3
-    t77 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t69, 1.0), np.copysign(t70, 1.0)), np.copysign(t71, 1.0)) - np.copysign(t76, 1.0)
-    t78 = 0.5 - 0.5 * np.copysign(1.0, t77)
-    t79 = t78 / (1.0 + t76 * t78 - t78)
-    t80 = t66 * t66
-    t81 = t37 * t80
-    t82 = t71 * t71
-    t83 = t37 * t82
-    t84 = t5 * t11 + t6 * t13
-    t85 = 3.0 * t84
-    t86 = l3 * t84
-    t87 = t80 * (l3 * (t81 * t85)) + t86 * (t66 * t80)
-    t88 = t82 * (l3 * (t83 * t85)) + t86 * (t71 * t82)
-    t89 = 0.5 - 0.5 * np.copysign(1.0, t54 - np.copysign(np.maximum(0.0, -t55), 1.0))
-    t90 = t41 * t89
-    t91 = 4.0 + t29 * (t41 * t90 + t59 * (2.0 + t58)) - 4.0 * t29
-    t92 = np.copysign((-(t88 + kappa_s)), 1.0) - np.copysign((-(t87 + kappa_s)), 1.0)
-    t93 = t59 * (1.0 - t58) * (0.5 + 0.5 * np.copysign(1.0, t50 - t53))
+    t58 = 1.0 - t57
+    t59 = 0.5 - 0.5 * np.copysign(1.0, t47 - t49)
+    t60 = 1.0 - t41
+    t61 = t59 * t60
+    t62 = t52 * t61 / (1.0 - t61 + t48 * t61) - t41 * t48 / (t60 - t38 * (t41 + t41))
+    t63 = t57 * (-0.5 * t48 - 0.5 * np.copysign(np.sqrt(t56), t48))
+    t64 = t58 * t62 - t52 * t57 / (t58 + t63)
+    t65 = t29 * (t33 + t34 * t64)
+    t66 = t29 * (t42 + t32 * t64)
+    t67 = t29 * (t43 + t31 * t64)
+    t68 = t29 * t57
+    t69 = t63 / (t58 - t38 * t57)
+    t70 = t68 * (t33 + t34 * t69)
+    t71 = t68 * (t42 + t32 * t69)
+    t72 = t68 * (t43 + t31 * t69)
+    t73 = t65 * leads1 + t66 * leads2 + t67 * leads3
+    t74 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t65, 1.0), np.copysign(t66, 1.0)), np.copysign(t67, 1.0)) - np.copysign(t73, 1.0)
+    t75 = 0.5 - 0.5 * np.copysign(1.0, t74)
+    t76 = 1.0 - t75
+    t77 = t75 / (t76 + t73 * t75)
+    t78 = t70 * leads1 + t71 * leads2 + t72 * leads3
+    t79 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t70, 1.0), np.copysign(t71, 1.0)), np.copysign(t72, 1.0)) - np.copysign(t78, 1.0)
+    t80 = 0.5 - 0.5 * np.copysign(1.0, t79)
+    t81 = 1.0 - t80
+    t82 = t80 / (t81 + t78 * t80)
+    t83 = t67 * t67
+    t84 = t37 * t83
+    t85 = t72 * t72
+    t86 = t37 * t85
+    t87 = t5 * t11 + t6 * t13
+    t88 = 3.0 * t87
+    t89 = l3 * t87
+    t90 = t83 * (l3 * (t84 * t88)) + t89 * (t67 * t83)
+    t91 = t85 * (l3 * (t86 * t88)) + t89 * (t72 * t85)
+    t92 = 0.5 - 0.5 * np.copysign(1.0, t54 - np.copysign(np.maximum(0.0, -t55), 1.0))
+    t93 = t41 * t92
+    t94 = 4.0 + t29 * (t41 * t93 + t60 * (2.0 + t59)) - 4.0 * t29
+    t95 = np.copysign((-(t91 + kappa_s)), 1.0) - np.copysign((-(t90 + kappa_s)), 1.0)
+    t96 = t60 * (1.0 - t59) * (0.5 + 0.5 * np.copysign(1.0, t50 - t53))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -553,25 +556,25 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t64
-    rates[..., 1] = t65
-    rates[..., 2] = t66
-    rates[..., 3] = t69
-    rates[..., 4] = t70
-    rates[..., 5] = t71
-    ratios[..., 0] = t75 * (t64 + leads1 * (t65 - t64))
-    ratios[..., 1] = t75 * (t66 + leads3 * (t65 - t66))
-    ratios[..., 2] = t79 * (t69 + leads1 * (t70 - t69))
-    ratios[..., 3] = t79 * (t71 + leads3 * (t70 - t71))
-    tracked[..., 0] = -t81
-    tracked[..., 1] = -t83
-    tracked_rate[..., 0] = -t87
-    tracked_rate[..., 1] = -t88
-    verdict[..., 0] = t91
+    rates[..., 0] = t65
+    rates[..., 1] = t66
+    rates[..., 2] = t67
+    rates[..., 3] = t70
+    rates[..., 4] = t71
+    rates[..., 5] = t72
+    ratios[..., 0] = t77 * (t65 + leads1 * (t66 - t65))
+    ratios[..., 1] = t77 * (t67 + leads3 * (t66 - t67))
+    ratios[..., 2] = t82 * (t70 + leads1 * (t71 - t70))
+    ratios[..., 3] = t82 * (t72 + leads3 * (t71 - t72))
+    tracked[..., 0] = -t84
+    tracked[..., 1] = -t86
+    tracked_rate[..., 0] = -t90
+    tracked_rate[..., 1] = -t91
+    verdict[..., 0] = t94
     verdict[..., 1] = t29 * (1.0 + t57)
-    verdict[..., 2] = t57 * (0.5 * t29) * (1.0 - np.copysign(1.0, t92))
-    verdict[..., 3] = t29 * (t60 + t41 * (1.0 - t90) + t93)
-    verdict[..., 4] = t67 * (1.0 - t78) + t29 * (1.0 - t74)
+    verdict[..., 2] = t57 * (0.5 * t29) * (1.0 - np.copysign(1.0, t95))
+    verdict[..., 3] = t29 * (t61 + t41 * (1.0 - t93) + t96)
+    verdict[..., 4] = t68 * t81 + t29 * t76
     parabola[..., 0] = t39
     parabola[..., 1] = t48
     parabola[..., 2] = -t51

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs e4e06f91ecbe25d2d74d1a22c846a94ce1d426a56c3dd828de7372f740b5e274.
+ * Made from templates/kernel.c.j2; inputs 9bdf24d190d3a7b9ebc877a51e63e3803c82772d8e3ba94604ed7f781b99b0d1.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "e4e06f91ecbe25d2d74d1a22c846a94ce1d426a56c3dd828de7372f740b5e274";
+const char planar_prp_kinematics_digest[] = "9bdf24d190d3a7b9ebc877a51e63e3803c82772d8e3ba94604ed7f781b99b0d1";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 92784fd4e1732f18c6ce3080967ca49b896016f112c8793e3d7443ecb6439abc.
+ * Made from templates/kernel.h.j2; inputs f311fec39c49ece8a67c17d1162179351a57e698fcc79677ee5406ef4e300eba.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 92784fd4e1732f18c6ce3080967ca49b896016f112c8793e3d7443ecb6439abc.
+Made from templates/kernel.py.j2; inputs f311fec39c49ece8a67c17d1162179351a57e698fcc79677ee5406ef4e300eba.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

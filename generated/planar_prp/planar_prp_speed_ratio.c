@@ -1,6 +1,6 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs 751df9796a1e2b7e903af7ec7cb6ee8b63e8e42bbe3c7252d99a7d8be45a3297.
- * 885 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs a27ef052ca9470f4e91491304655c000552efd390c6ac619d723e1d919881b38.
+ * 880 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "751df9796a1e2b7e903af7ec7cb6ee8b63e8e42bbe3c7252d99a7d8be45a3297";
+const char planar_prp_speed_ratio_digest[] = "a27ef052ca9470f4e91491304655c000552efd390c6ac619d723e1d919881b38";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs 751df9796a1e2b7e903af7ec7cb6ee8b63e8e42bbe3c7252d99a7d8be45a3297.
- * 885 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs a27ef052ca9470f4e91491304655c000552efd390c6ac619d723e1d919881b38.
+ * 880 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -96,7 +96,7 @@ void planar_prp_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   404 operations */
+ *   399 operations */
 void planar_prp_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_prp_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_prp_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);

@@ -1,7 +1,7 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 751df9796a1e2b7e903af7ec7cb6ee8b63e8e42bbe3c7252d99a7d8be45a3297.
-885 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs a27ef052ca9470f4e91491304655c000552efd390c6ac619d723e1d919881b38.
+880 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -87,7 +87,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t32 = t16 * t31 + t18 * t30
     t33 = t11 * t31 + t12 * t30
     t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
-    t35 = t34 / (1.0 - t33 * t34 - t34)
+    t35 = t34 / (1.0 - t34 - t33 * t34)
     t36 = t35 * (t11 * t30 + t12 * t31)
     t37 = t16 * t30 + t18 * t31 + t32 * t36
     t38 = t37 * t37
@@ -223,7 +223,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t32 = t15 * t31 + t17 * t30
     t33 = t1 * t31 + t6 * t30
     t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
-    t35 = t34 / (1.0 - t33 * t34 - t34)
+    t35 = t34 / (1.0 - t34 - t33 * t34)
     t36 = t35 * (t1 * t30 + t6 * t31)
     t37 = t15 * t30 + t17 * t31 + t32 * t36
     t38 = t37 * t37
@@ -357,7 +357,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t32 = t15 * t31 + t18 * t30
     t33 = t1 * t31 + t12 * t30
     t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
-    t35 = t34 / (1.0 - t33 * t34 - t34)
+    t35 = t34 / (1.0 - t34 - t33 * t34)
     t36 = t35 * (t1 * t30 + t12 * t31)
     t37 = t15 * t30 + t18 * t31 + t32 * t36
     t38 = t37 * t37
@@ -417,7 +417,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 404 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 399 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -497,7 +497,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t29 = np.sqrt((t26 * t26 + t27 * t27 + t28 * t28))
     t30 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t24 * np.sqrt(t25) - np.copysign(t29, 1.0))
     t31 = 0.5 - t30
-    t32 = t31 / (1.0 + t29 * t31 - t31)
+    t32 = t31 / (1.0 - t31 + t29 * t31)
     t33 = t28 * t32
     t34 = t27 * t32
     t35 = t32 * (t18 * t33 - t19 * t34)
@@ -529,46 +529,49 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t61 = t56 * t56 - t48 * (4.0 * t45)
     t62 = np.maximum(0.0, t61)
     t63 = t50 * (0.5 - 0.5 * np.copysign(1.0, t60 - np.copysign(t62, 1.0)))
-    t64 = t63 * (-0.5 * t56 - 0.5 * np.copysign(np.sqrt(t62), t56))
-    t65 = 0.5 - 0.5 * np.copysign(1.0, t53 - t57)
+    t64 = 1.0 - t63
+    t65 = t63 * (-0.5 * t56 - 0.5 * np.copysign(np.sqrt(t62), t56))
     t66 = 1.0 - t50
-    t67 = t65 * t66
-    t68 = t50 * t56 / (1.0 + t48 * (t50 + t50) - t50) + t45 * t67 / (1.0 + t56 * t67 - t67)
-    t69 = t45 * t63 / (1.0 + t64 - t63) - (1.0 - t63) * t68
-    t70 = t31 * (t35 + t36 * t69)
-    t71 = t31 * (t38 + t34 * t69)
-    t72 = t31 * (t39 + t33 * t69)
-    t73 = t31 * t63
-    t74 = t64 / (1.0 + t48 * t63 - t63)
-    t75 = t73 * (t35 + t36 * t74)
-    t76 = t73 * (t38 + t34 * t74)
-    t77 = t73 * (t39 + t33 * t74)
-    t78 = t70 * leads1 + t71 * leads2 + t72 * leads3
-    t79 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t70, 1.0), np.copysign(t71, 1.0)), np.copysign(t72, 1.0)) - np.copysign(t78, 1.0)
-    t80 = 0.5 - 0.5 * np.copysign(1.0, t79)
-    t81 = t80 / (1.0 + t78 * t80 - t80)
-    t82 = t75 * leads1 + t76 * leads2 + t77 * leads3
-    t83 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t75, 1.0), np.copysign(t76, 1.0)), np.copysign(t77, 1.0)) - np.copysign(t82, 1.0)
-    t84 = 0.5 - 0.5 * np.copysign(1.0, t83)
-    t85 = t84 / (1.0 + t82 * t84 - t84)
-    t86 = t71 * t71
-    t87 = t72 * (t37 * t71) - t40 * t86 - t43 * t86
-    t88 = t76 * t76
-    t89 = t77 * (t37 * t76) - t40 * t88 - t43 * t88
-    t90 = t13 * t23
-    t91 = l2 * (t5 * t10 + t6 * t11)
-    t92 = -3.0 * t87 * (t86 * t90 + t86 * t91 + t72 * (t54 * t71))
-    t93 = t71 * t86
-    t94 = 3.0 * t19
-    t95 = t92 + t90 * t93 + t91 * t93 + t86 * (t72 * t94)
-    t96 = -3.0 * t89 * (t88 * t90 + t88 * t91 + t77 * (t54 * t76))
-    t97 = t76 * t88
-    t98 = t96 + t90 * t97 + t91 * t97 + t88 * (t77 * t94)
-    t99 = 0.5 - 0.5 * np.copysign(1.0, t60 - np.copysign(np.maximum(0.0, -t61), 1.0))
-    t100 = t50 * t99
-    t101 = 4.0 + t31 * (t50 * t100 + t66 * (2.0 + t65)) - 4.0 * t31
-    t102 = np.copysign((-(t98 + kappa_s)), 1.0) - np.copysign((-(t95 + kappa_s)), 1.0)
-    t103 = t66 * (1.0 - t65) * (0.5 + 0.5 * np.copysign(1.0, t58 - t59))
+    t67 = 0.5 - 0.5 * np.copysign(1.0, t53 - t57)
+    t68 = t66 * t67
+    t69 = t50 * t56 / (t66 + t48 * (t50 + t50)) + t45 * t68 / (1.0 - t68 + t56 * t68)
+    t70 = t45 * t63 / (t64 + t65) - t64 * t69
+    t71 = t31 * (t35 + t36 * t70)
+    t72 = t31 * (t38 + t34 * t70)
+    t73 = t31 * (t39 + t33 * t70)
+    t74 = t31 * t63
+    t75 = t65 / (t64 + t48 * t63)
+    t76 = t74 * (t35 + t36 * t75)
+    t77 = t74 * (t38 + t34 * t75)
+    t78 = t74 * (t39 + t33 * t75)
+    t79 = t71 * leads1 + t72 * leads2 + t73 * leads3
+    t80 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t71, 1.0), np.copysign(t72, 1.0)), np.copysign(t73, 1.0)) - np.copysign(t79, 1.0)
+    t81 = 0.5 - 0.5 * np.copysign(1.0, t80)
+    t82 = 1.0 - t81
+    t83 = t81 / (t82 + t79 * t81)
+    t84 = t76 * leads1 + t77 * leads2 + t78 * leads3
+    t85 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t76, 1.0), np.copysign(t77, 1.0)), np.copysign(t78, 1.0)) - np.copysign(t84, 1.0)
+    t86 = 0.5 - 0.5 * np.copysign(1.0, t85)
+    t87 = 1.0 - t86
+    t88 = t86 / (t87 + t84 * t86)
+    t89 = t72 * t72
+    t90 = t73 * (t37 * t72) - t40 * t89 - t43 * t89
+    t91 = t77 * t77
+    t92 = t78 * (t37 * t77) - t40 * t91 - t43 * t91
+    t93 = t13 * t23
+    t94 = l2 * (t5 * t10 + t6 * t11)
+    t95 = -3.0 * t90 * (t89 * t93 + t89 * t94 + t73 * (t54 * t72))
+    t96 = t72 * t89
+    t97 = 3.0 * t19
+    t98 = t95 + t93 * t96 + t94 * t96 + t89 * (t73 * t97)
+    t99 = -3.0 * t92 * (t91 * t93 + t91 * t94 + t78 * (t54 * t77))
+    t100 = t77 * t91
+    t101 = t99 + t93 * t100 + t94 * t100 + t91 * (t78 * t97)
+    t102 = 0.5 - 0.5 * np.copysign(1.0, t60 - np.copysign(np.maximum(0.0, -t61), 1.0))
+    t103 = t50 * t102
+    t104 = 4.0 + t31 * (t50 * t103 + t66 * (2.0 + t67)) - 4.0 * t31
+    t105 = np.copysign((-(t101 + kappa_s)), 1.0) - np.copysign((-(t98 + kappa_s)), 1.0)
+    t106 = t66 * (1.0 - t67) * (0.5 + 0.5 * np.copysign(1.0, t58 - t59))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -580,25 +583,25 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t70
-    rates[..., 1] = t71
-    rates[..., 2] = t72
-    rates[..., 3] = t75
-    rates[..., 4] = t76
-    rates[..., 5] = t77
-    ratios[..., 0] = t81 * (t70 + leads1 * (t71 - t70))
-    ratios[..., 1] = t81 * (t72 + leads3 * (t71 - t72))
-    ratios[..., 2] = t85 * (t75 + leads1 * (t76 - t75))
-    ratios[..., 3] = t85 * (t77 + leads3 * (t76 - t77))
-    tracked[..., 0] = t87
-    tracked[..., 1] = t89
-    tracked_rate[..., 0] = -t95
-    tracked_rate[..., 1] = -t98
-    verdict[..., 0] = t101
+    rates[..., 0] = t71
+    rates[..., 1] = t72
+    rates[..., 2] = t73
+    rates[..., 3] = t76
+    rates[..., 4] = t77
+    rates[..., 5] = t78
+    ratios[..., 0] = t83 * (t71 + leads1 * (t72 - t71))
+    ratios[..., 1] = t83 * (t73 + leads3 * (t72 - t73))
+    ratios[..., 2] = t88 * (t76 + leads1 * (t77 - t76))
+    ratios[..., 3] = t88 * (t78 + leads3 * (t77 - t78))
+    tracked[..., 0] = t90
+    tracked[..., 1] = t92
+    tracked_rate[..., 0] = -t98
+    tracked_rate[..., 1] = -t101
+    verdict[..., 0] = t104
     verdict[..., 1] = t31 * (1.0 + t63)
-    verdict[..., 2] = t63 * (0.5 * t31) * (1.0 - np.copysign(1.0, t102))
-    verdict[..., 3] = t31 * (t67 + t50 * (1.0 - t100) + t103)
-    verdict[..., 4] = t73 * (1.0 - t84) + t31 * (1.0 - t80)
+    verdict[..., 2] = t63 * (0.5 * t31) * (1.0 - np.copysign(1.0, t105))
+    verdict[..., 3] = t31 * (t68 + t50 * (1.0 - t103) + t106)
+    verdict[..., 4] = t74 * t87 + t31 * t82
     parabola[..., 0] = t48
     parabola[..., 1] = t56
     parabola[..., 2] = t44

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs 9a3a6c487174d1f1b3b35430283dea054804dd328b6749ce051a96a69d14c577.
+ * Made from templates/kernel.c.j2; inputs 43c1c34c53321c6f93779cc508a1c85244f0645d2c09aba45eed1eb48a87f651.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "9a3a6c487174d1f1b3b35430283dea054804dd328b6749ce051a96a69d14c577";
+const char planar_prr_kinematics_digest[] = "43c1c34c53321c6f93779cc508a1c85244f0645d2c09aba45eed1eb48a87f651";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs 9a3a6c487174d1f1b3b35430283dea054804dd328b6749ce051a96a69d14c577.
+ * Made from templates/kernel.h.j2; inputs 43c1c34c53321c6f93779cc508a1c85244f0645d2c09aba45eed1eb48a87f651.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

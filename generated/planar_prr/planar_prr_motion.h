@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs 07441663d512a72b71b47a450998c25b8b52a11a2f1bdd8bab2f0efe5fd64ab7.
+ * Made from templates/kernel.h.j2; inputs 49f39741cf7208ce8b542a404bf131204e8c9e2161416fe2da141f696605da77.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

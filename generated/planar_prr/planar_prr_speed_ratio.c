@@ -1,6 +1,6 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs ab43ccd351b0dd0768598413455df11ff12e2583255f9fe9d02434c37e668685.
- * 905 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs c0c9a994f281a96b8e74abafa2383b58df3825d83490b63ae194acb8118b8cd6.
+ * 900 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "ab43ccd351b0dd0768598413455df11ff12e2583255f9fe9d02434c37e668685";
+const char planar_prr_speed_ratio_digest[] = "c0c9a994f281a96b8e74abafa2383b58df3825d83490b63ae194acb8118b8cd6";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_prr_speed_ratio.h: speed ratio of planar_prr.
- * Made from templates/kernel.h.j2; inputs ab43ccd351b0dd0768598413455df11ff12e2583255f9fe9d02434c37e668685.
- * 905 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs c0c9a994f281a96b8e74abafa2383b58df3825d83490b63ae194acb8118b8cd6.
+ * 900 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -96,7 +96,7 @@ void planar_prr_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   389 operations */
+ *   384 operations */
 void planar_prr_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_prr_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_prr_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);

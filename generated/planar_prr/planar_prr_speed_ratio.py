@@ -1,7 +1,7 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ab43ccd351b0dd0768598413455df11ff12e2583255f9fe9d02434c37e668685.
-905 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs c0c9a994f281a96b8e74abafa2383b58df3825d83490b63ae194acb8118b8cd6.
+900 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -89,7 +89,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t35 = t19 * t34 + t21 * t33
     t36 = t12 * t34 + t13 * t33
     t37 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign((-t36), 1.0))
-    t38 = t37 / (1.0 - t36 * t37 - t37)
+    t38 = t37 / (1.0 - t37 - t36 * t37)
     t39 = t38 * (t12 * t33 + t13 * t34)
     t40 = t19 * t33 + t21 * t34 + t35 * t39
     t41 = t40 * t40
@@ -227,7 +227,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t35 = t16 * t34 + t20 * t33
     t36 = t1 * t34 + t8 * t33
     t37 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign((-t36), 1.0))
-    t38 = t37 / (1.0 - t36 * t37 - t37)
+    t38 = t37 / (1.0 - t37 - t36 * t37)
     t39 = t38 * (t1 * t33 + t8 * t34)
     t40 = t16 * t33 + t20 * t34 + t35 * t39
     t41 = t40 * t40
@@ -366,7 +366,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t35 = t16 * t34 + t21 * t33
     t36 = t1 * t34 + t13 * t33
     t37 = 0.5 - 0.5 * np.copysign(1.0, t32 - np.copysign((-t36), 1.0))
-    t38 = t37 / (1.0 - t36 * t37 - t37)
+    t38 = t37 / (1.0 - t37 - t36 * t37)
     t39 = t38 * (t1 * t33 + t13 * t34)
     t40 = t16 * t33 + t21 * t34 + t35 * t39
     t41 = t40 * t40
@@ -426,7 +426,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 389 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 384 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading1)
@@ -506,7 +506,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t30 = np.sqrt((t27 * t27 + t28 * t28 + t29 * t29))
     t31 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t25 * np.sqrt(t26) - np.copysign(t30, 1.0))
     t32 = 0.5 - t31
-    t33 = t32 / (1.0 + t30 * t32 - t32)
+    t33 = t32 / (1.0 - t32 + t30 * t32)
     t34 = t29 * t33
     t35 = t28 * t33
     t36 = t33 * (t19 * t34 - t20 * t35)
@@ -538,47 +538,50 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t62 = t55 * t55 - t44 * (4.0 * t59)
     t63 = np.maximum(0.0, t62)
     t64 = t47 * (0.5 - 0.5 * np.copysign(1.0, t61 - np.copysign(t63, 1.0)))
-    t65 = 0.5 - 0.5 * np.copysign(1.0, t53 - t56)
-    t66 = 1.0 - t47
-    t67 = t65 * t66
-    t68 = t59 * t67 / (1.0 + t55 * t67 - t67) - t47 * t55 / (1.0 - t44 * (t47 + t47) - t47)
-    t69 = t64 * (-0.5 * t55 - 0.5 * np.copysign(np.sqrt(t63), t55))
-    t70 = (1.0 - t64) * t68 - t59 * t64 / (1.0 + t69 - t64)
-    t71 = t32 * (t36 + t37 * t70)
-    t72 = t32 * (t48 + t35 * t70)
-    t73 = t32 * (t50 + t34 * t70)
-    t74 = t32 * t64
-    t75 = t69 / (1.0 - t44 * t64 - t64)
-    t76 = t74 * (t36 + t37 * t75)
-    t77 = t74 * (t48 + t35 * t75)
-    t78 = t74 * (t50 + t34 * t75)
-    t79 = t71 * leads1 + t72 * leads2 + t73 * leads3
-    t80 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t71, 1.0), np.copysign(t72, 1.0)), np.copysign(t73, 1.0)) - np.copysign(t79, 1.0)
-    t81 = 0.5 - 0.5 * np.copysign(1.0, t80)
-    t82 = t81 / (1.0 + t79 * t81 - t81)
-    t83 = t76 * leads1 + t77 * leads2 + t78 * leads3
-    t84 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t76, 1.0), np.copysign(t77, 1.0)), np.copysign(t78, 1.0)) - np.copysign(t83, 1.0)
-    t85 = 0.5 - 0.5 * np.copysign(1.0, t84)
-    t86 = t85 / (1.0 + t83 * t85 - t85)
-    t87 = t72 * t72
-    t88 = t72 + t73
-    t89 = t88 * t88
-    t90 = t40 * t87 + t42 * t89
-    t91 = t77 * t77
-    t92 = t77 + t78
-    t93 = t92 * t92
-    t94 = t40 * t91 + t42 * t93
-    t95 = l2 * (t5 * t10 + t6 * t11)
-    t96 = l3 * (t5 * t12 + t6 * t16)
-    t97 = -3.0 * t90 * (t87 * t95 + t89 * t96) - t95 * (t72 * t87)
-    t98 = t97 - t96 * (t88 * t89)
-    t99 = -3.0 * t94 * (t91 * t95 + t93 * t96) - t95 * (t77 * t91)
-    t100 = t99 - t96 * (t92 * t93)
-    t101 = 0.5 - 0.5 * np.copysign(1.0, t61 - np.copysign(np.maximum(0.0, -t62), 1.0))
-    t102 = t47 * t101
-    t103 = 4.0 + t32 * (t47 * t102 + t66 * (2.0 + t65)) - 4.0 * t32
-    t104 = 1.0 - np.copysign(1.0, np.copysign((t100 - kappa_s), 1.0) - np.copysign((t98 - kappa_s), 1.0))
-    t105 = t66 * (1.0 - t65) * (0.5 + 0.5 * np.copysign(1.0, t57 - t60))
+    t65 = 1.0 - t64
+    t66 = 0.5 - 0.5 * np.copysign(1.0, t53 - t56)
+    t67 = 1.0 - t47
+    t68 = t66 * t67
+    t69 = t59 * t68 / (1.0 - t68 + t55 * t68) - t47 * t55 / (t67 - t44 * (t47 + t47))
+    t70 = t64 * (-0.5 * t55 - 0.5 * np.copysign(np.sqrt(t63), t55))
+    t71 = t65 * t69 - t59 * t64 / (t65 + t70)
+    t72 = t32 * (t36 + t37 * t71)
+    t73 = t32 * (t48 + t35 * t71)
+    t74 = t32 * (t50 + t34 * t71)
+    t75 = t32 * t64
+    t76 = t70 / (t65 - t44 * t64)
+    t77 = t75 * (t36 + t37 * t76)
+    t78 = t75 * (t48 + t35 * t76)
+    t79 = t75 * (t50 + t34 * t76)
+    t80 = t72 * leads1 + t73 * leads2 + t74 * leads3
+    t81 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t72, 1.0), np.copysign(t73, 1.0)), np.copysign(t74, 1.0)) - np.copysign(t80, 1.0)
+    t82 = 0.5 - 0.5 * np.copysign(1.0, t81)
+    t83 = 1.0 - t82
+    t84 = t82 / (t83 + t80 * t82)
+    t85 = t77 * leads1 + t78 * leads2 + t79 * leads3
+    t86 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t77, 1.0), np.copysign(t78, 1.0)), np.copysign(t79, 1.0)) - np.copysign(t85, 1.0)
+    t87 = 0.5 - 0.5 * np.copysign(1.0, t86)
+    t88 = 1.0 - t87
+    t89 = t87 / (t88 + t85 * t87)
+    t90 = t73 * t73
+    t91 = t73 + t74
+    t92 = t91 * t91
+    t93 = t40 * t90 + t42 * t92
+    t94 = t78 * t78
+    t95 = t78 + t79
+    t96 = t95 * t95
+    t97 = t40 * t94 + t42 * t96
+    t98 = l2 * (t5 * t10 + t6 * t11)
+    t99 = l3 * (t5 * t12 + t6 * t16)
+    t100 = -3.0 * t93 * (t90 * t98 + t92 * t99) - t98 * (t73 * t90)
+    t101 = t100 - t99 * (t91 * t92)
+    t102 = -3.0 * t97 * (t94 * t98 + t96 * t99) - t98 * (t78 * t94)
+    t103 = t102 - t99 * (t95 * t96)
+    t104 = 0.5 - 0.5 * np.copysign(1.0, t61 - np.copysign(np.maximum(0.0, -t62), 1.0))
+    t105 = t47 * t104
+    t106 = 4.0 + t32 * (t47 * t105 + t67 * (2.0 + t66)) - 4.0 * t32
+    t107 = 1.0 - np.copysign(1.0, np.copysign((t103 - kappa_s), 1.0) - np.copysign((t101 - kappa_s), 1.0))
+    t108 = t67 * (1.0 - t66) * (0.5 + 0.5 * np.copysign(1.0, t57 - t60))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -590,25 +593,25 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t71
-    rates[..., 1] = t72
-    rates[..., 2] = t73
-    rates[..., 3] = t76
-    rates[..., 4] = t77
-    rates[..., 5] = t78
-    ratios[..., 0] = t82 * (t71 + leads1 * (t72 - t71))
-    ratios[..., 1] = t82 * (t73 + leads3 * (t72 - t73))
-    ratios[..., 2] = t86 * (t76 + leads1 * (t77 - t76))
-    ratios[..., 3] = t86 * (t78 + leads3 * (t77 - t78))
-    tracked[..., 0] = -t90
-    tracked[..., 1] = -t94
-    tracked_rate[..., 0] = t98
-    tracked_rate[..., 1] = t100
-    verdict[..., 0] = t103
+    rates[..., 0] = t72
+    rates[..., 1] = t73
+    rates[..., 2] = t74
+    rates[..., 3] = t77
+    rates[..., 4] = t78
+    rates[..., 5] = t79
+    ratios[..., 0] = t84 * (t72 + leads1 * (t73 - t72))
+    ratios[..., 1] = t84 * (t74 + leads3 * (t73 - t74))
+    ratios[..., 2] = t89 * (t77 + leads1 * (t78 - t77))
+    ratios[..., 3] = t89 * (t79 + leads3 * (t78 - t79))
+    tracked[..., 0] = -t93
+    tracked[..., 1] = -t97
+    tracked_rate[..., 0] = t101
+    tracked_rate[..., 1] = t103
+    verdict[..., 0] = t106
     verdict[..., 1] = t32 * (1.0 + t64)
-    verdict[..., 2] = t64 * (0.5 * t32) * t104
-    verdict[..., 3] = t32 * (t67 + t47 * (1.0 - t102) + t105)
-    verdict[..., 4] = t74 * (1.0 - t85) + t32 * (1.0 - t81)
+    verdict[..., 2] = t64 * (0.5 * t32) * t107
+    verdict[..., 3] = t32 * (t68 + t47 * (1.0 - t105) + t108)
+    verdict[..., 4] = t75 * t88 + t32 * t83
     parabola[..., 0] = t45
     parabola[..., 1] = t55
     parabola[..., 2] = -t58

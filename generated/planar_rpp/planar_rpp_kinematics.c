@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs ee66be8c6b357986db4b32daff7d3ec45faaaa48b6e13229e7bd1678086fb1a6.
+ * Made from templates/kernel.c.j2; inputs 98092d117fa8f6150217349dea14cc1ef5b8a47a9cad7ef253e9248717f6d9fd.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "ee66be8c6b357986db4b32daff7d3ec45faaaa48b6e13229e7bd1678086fb1a6";
+const char planar_rpp_kinematics_digest[] = "98092d117fa8f6150217349dea14cc1ef5b8a47a9cad7ef253e9248717f6d9fd";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ee66be8c6b357986db4b32daff7d3ec45faaaa48b6e13229e7bd1678086fb1a6.
+Made from templates/kernel.py.j2; inputs 98092d117fa8f6150217349dea14cc1ef5b8a47a9cad7ef253e9248717f6d9fd.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

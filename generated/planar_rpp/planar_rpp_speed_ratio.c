@@ -1,6 +1,6 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 9c064b77ee842383043b2ce4f01268fdf7411dd8fa31d2b06c7d3e8a14c945e0.
- * 958 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 6c14c2b57ee6e3eee4b4d83aab5dea3512cc69d0b8db712bef9f30d106eb28eb.
+ * 953 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "9c064b77ee842383043b2ce4f01268fdf7411dd8fa31d2b06c7d3e8a14c945e0";
+const char planar_rpp_speed_ratio_digest[] = "6c14c2b57ee6e3eee4b4d83aab5dea3512cc69d0b8db712bef9f30d106eb28eb";
 #endif
 
 #define LANES 64

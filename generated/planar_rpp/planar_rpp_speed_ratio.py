@@ -1,7 +1,7 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9c064b77ee842383043b2ce4f01268fdf7411dd8fa31d2b06c7d3e8a14c945e0.
-958 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 6c14c2b57ee6e3eee4b4d83aab5dea3512cc69d0b8db712bef9f30d106eb28eb.
+953 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -86,7 +86,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t31 = t13 * t30 + t15 * t29
     t32 = t3 * t30 + t6 * t29
     t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
-    t34 = t33 / (1.0 - t32 * t33 - t33)
+    t34 = t33 / (1.0 - t33 - t32 * t33)
     t35 = t34 * (t3 * t29 + t6 * t30)
     t36 = t13 * t29 + t15 * t30 + t31 * t35
     t37 = t36 * t36
@@ -219,7 +219,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t31 = t14 * t30 + t16 * t29
     t32 = t9 * t30 + t10 * t29
     t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
-    t34 = t33 / (1.0 - t32 * t33 - t33)
+    t34 = t33 / (1.0 - t33 - t32 * t33)
     t35 = t34 * (t9 * t29 + t10 * t30)
     t36 = t14 * t29 + t16 * t30 + t31 * t35
     t37 = t36 * t36
@@ -356,7 +356,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t31 = t14 * t30 + t16 * t29
     t32 = t9 * t30 + t10 * t29
     t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
-    t34 = t33 / (1.0 - t32 * t33 - t33)
+    t34 = t33 / (1.0 - t33 - t32 * t33)
     t35 = t34 * (t9 * t29 + t10 * t30)
     t36 = t14 * t29 + t16 * t30 + t31 * t35
     t37 = t36 * t36
@@ -417,7 +417,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 456 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 451 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -495,7 +495,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t27 = np.sqrt((t24 * t24 + t25 * t25 + t26 * t26))
     t28 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t22 * np.sqrt(t23) - np.copysign(t27, 1.0))
     t29 = 0.5 - t28
-    t30 = t29 / (1.0 + t27 * t29 - t29)
+    t30 = t29 / (1.0 - t29 + t27 * t29)
     t31 = t26 * t30
     t32 = t25 * t30
     t33 = t30 * (t16 * t31 - t17 * t32)
@@ -533,54 +533,57 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t65 = t60 * t60 - t50 * (4.0 * t46)
     t66 = np.maximum(0.0, t65)
     t67 = t52 * (0.5 - 0.5 * np.copysign(1.0, t64 - np.copysign(t66, 1.0)))
-    t68 = t67 * (-0.5 * t60 - 0.5 * np.copysign(np.sqrt(t66), t60))
-    t69 = 0.5 - 0.5 * np.copysign(1.0, t55 - t61)
+    t68 = 1.0 - t67
+    t69 = t67 * (-0.5 * t60 - 0.5 * np.copysign(np.sqrt(t66), t60))
     t70 = 1.0 - t52
-    t71 = t69 * t70
-    t72 = t52 * t60 / (1.0 + t50 * (t52 + t52) - t52) + t46 * t71 / (1.0 + t60 * t71 - t71)
-    t73 = t46 * t67 / (1.0 + t68 - t67) - (1.0 - t67) * t72
-    t74 = t29 * (t33 + t34 * t73)
-    t75 = t29 * (t36 + t32 * t73)
-    t76 = t29 * (t38 + t31 * t73)
-    t77 = t29 * t67
-    t78 = t68 / (1.0 + t50 * t67 - t67)
-    t79 = t77 * (t33 + t34 * t78)
-    t80 = t77 * (t36 + t32 * t78)
-    t81 = t77 * (t38 + t31 * t78)
-    t82 = t74 * leads1 + t75 * leads2 + t76 * leads3
-    t83 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t74, 1.0), np.copysign(t75, 1.0)), np.copysign(t76, 1.0)) - np.copysign(t82, 1.0)
-    t84 = 0.5 - 0.5 * np.copysign(1.0, t83)
-    t85 = t84 / (1.0 + t82 * t84 - t84)
-    t86 = t79 * leads1 + t80 * leads2 + t81 * leads3
-    t87 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t79, 1.0), np.copysign(t80, 1.0)), np.copysign(t81, 1.0)) - np.copysign(t86, 1.0)
-    t88 = 0.5 - 0.5 * np.copysign(1.0, t87)
-    t89 = t88 / (1.0 + t86 * t88 - t88)
-    t90 = t74 * t74
-    t91 = t75 * (t35 * t74) + t76 * (t37 * t74) - t39 * t90
-    t92 = t91 - t42 * t90 - t44 * t90
-    t93 = t79 * t79
-    t94 = t80 * (t35 * t79) + t81 * (t37 * t79) - t39 * t93
+    t71 = 0.5 - 0.5 * np.copysign(1.0, t55 - t61)
+    t72 = t70 * t71
+    t73 = t52 * t60 / (t70 + t50 * (t52 + t52)) + t46 * t72 / (1.0 - t72 + t60 * t72)
+    t74 = t46 * t67 / (t68 + t69) - t68 * t73
+    t75 = t29 * (t33 + t34 * t74)
+    t76 = t29 * (t36 + t32 * t74)
+    t77 = t29 * (t38 + t31 * t74)
+    t78 = t29 * t67
+    t79 = t69 / (t68 + t50 * t67)
+    t80 = t78 * (t33 + t34 * t79)
+    t81 = t78 * (t36 + t32 * t79)
+    t82 = t78 * (t38 + t31 * t79)
+    t83 = t75 * leads1 + t76 * leads2 + t77 * leads3
+    t84 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t75, 1.0), np.copysign(t76, 1.0)), np.copysign(t77, 1.0)) - np.copysign(t83, 1.0)
+    t85 = 0.5 - 0.5 * np.copysign(1.0, t84)
+    t86 = 1.0 - t85
+    t87 = t85 / (t86 + t83 * t85)
+    t88 = t80 * leads1 + t81 * leads2 + t82 * leads3
+    t89 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t80, 1.0), np.copysign(t81, 1.0)), np.copysign(t82, 1.0)) - np.copysign(t88, 1.0)
+    t90 = 0.5 - 0.5 * np.copysign(1.0, t89)
+    t91 = 1.0 - t90
+    t92 = t90 / (t91 + t88 * t90)
+    t93 = t75 * t75
+    t94 = t76 * (t35 * t75) + t77 * (t37 * t75) - t39 * t93
     t95 = t94 - t42 * t93 - t44 * t93
-    t96 = t7 * t20
-    t97 = t10 * t21
-    t98 = l1 * (t5 * c1 + s1 * t12)
-    t99 = t90 * t96 + t90 * t97 + t90 * t98 + t75 * (t57 * t74)
-    t100 = t74 * t90
-    t101 = -3.0 * t92 * (t99 + t76 * (t58 * t74)) + t96 * t100
-    t102 = 3.0 * t16
-    t103 = t101 + t97 * t100 + t98 * t100 + t90 * (t75 * t102)
-    t104 = 3.0 * t17
-    t105 = t103 + t90 * (t76 * t104)
-    t106 = t93 * t96 + t93 * t97 + t93 * t98 + t80 * (t57 * t79)
-    t107 = t79 * t93
-    t108 = -3.0 * t95 * (t106 + t81 * (t58 * t79)) + t96 * t107
-    t109 = t108 + t97 * t107 + t98 * t107 + t93 * (t80 * t102)
-    t110 = t109 + t93 * (t81 * t104)
-    t111 = 0.5 - 0.5 * np.copysign(1.0, t64 - np.copysign(np.maximum(0.0, -t65), 1.0))
-    t112 = t52 * t111
-    t113 = 4.0 + t29 * (t52 * t112 + t70 * (2.0 + t69)) - 4.0 * t29
-    t114 = np.copysign((-(t110 + kappa_s)), 1.0) - np.copysign((-(t105 + kappa_s)), 1.0)
-    t115 = t70 * (1.0 - t69) * (0.5 + 0.5 * np.copysign(1.0, t62 - t63))
+    t96 = t80 * t80
+    t97 = t81 * (t35 * t80) + t82 * (t37 * t80) - t39 * t96
+    t98 = t97 - t42 * t96 - t44 * t96
+    t99 = t7 * t20
+    t100 = t10 * t21
+    t101 = l1 * (t5 * c1 + s1 * t12)
+    t102 = t93 * t99 + t93 * t100 + t93 * t101 + t76 * (t57 * t75)
+    t103 = t75 * t93
+    t104 = -3.0 * t95 * (t102 + t77 * (t58 * t75)) + t99 * t103
+    t105 = 3.0 * t16
+    t106 = t104 + t100 * t103 + t101 * t103 + t93 * (t76 * t105)
+    t107 = 3.0 * t17
+    t108 = t106 + t93 * (t77 * t107)
+    t109 = t96 * t99 + t96 * t100 + t96 * t101 + t81 * (t57 * t80)
+    t110 = t80 * t96
+    t111 = -3.0 * t98 * (t109 + t82 * (t58 * t80)) + t99 * t110
+    t112 = t111 + t100 * t110 + t101 * t110 + t96 * (t81 * t105)
+    t113 = t112 + t96 * (t82 * t107)
+    t114 = 0.5 - 0.5 * np.copysign(1.0, t64 - np.copysign(np.maximum(0.0, -t65), 1.0))
+    t115 = t52 * t114
+    t116 = 4.0 + t29 * (t52 * t115 + t70 * (2.0 + t71)) - 4.0 * t29
+    t117 = np.copysign((-(t113 + kappa_s)), 1.0) - np.copysign((-(t108 + kappa_s)), 1.0)
+    t118 = t70 * (1.0 - t71) * (0.5 + 0.5 * np.copysign(1.0, t62 - t63))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -592,25 +595,25 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t74
-    rates[..., 1] = t75
-    rates[..., 2] = t76
-    rates[..., 3] = t79
-    rates[..., 4] = t80
-    rates[..., 5] = t81
-    ratios[..., 0] = t85 * (t74 + leads1 * (t75 - t74))
-    ratios[..., 1] = t85 * (t76 + leads3 * (t75 - t76))
-    ratios[..., 2] = t89 * (t79 + leads1 * (t80 - t79))
-    ratios[..., 3] = t89 * (t81 + leads3 * (t80 - t81))
-    tracked[..., 0] = t92
-    tracked[..., 1] = t95
-    tracked_rate[..., 0] = -t105
-    tracked_rate[..., 1] = -t110
-    verdict[..., 0] = t113
+    rates[..., 0] = t75
+    rates[..., 1] = t76
+    rates[..., 2] = t77
+    rates[..., 3] = t80
+    rates[..., 4] = t81
+    rates[..., 5] = t82
+    ratios[..., 0] = t87 * (t75 + leads1 * (t76 - t75))
+    ratios[..., 1] = t87 * (t77 + leads3 * (t76 - t77))
+    ratios[..., 2] = t92 * (t80 + leads1 * (t81 - t80))
+    ratios[..., 3] = t92 * (t82 + leads3 * (t81 - t82))
+    tracked[..., 0] = t95
+    tracked[..., 1] = t98
+    tracked_rate[..., 0] = -t108
+    tracked_rate[..., 1] = -t113
+    verdict[..., 0] = t116
     verdict[..., 1] = t29 * (1.0 + t67)
-    verdict[..., 2] = t67 * (0.5 * t29) * (1.0 - np.copysign(1.0, t114))
-    verdict[..., 3] = t29 * (t71 + t52 * (1.0 - t112) + t115)
-    verdict[..., 4] = t77 * (1.0 - t88) + t29 * (1.0 - t84)
+    verdict[..., 2] = t67 * (0.5 * t29) * (1.0 - np.copysign(1.0, t117))
+    verdict[..., 3] = t29 * (t72 + t52 * (1.0 - t115) + t118)
+    verdict[..., 4] = t78 * t91 + t29 * t86
     parabola[..., 0] = t50
     parabola[..., 1] = t60
     parabola[..., 2] = t45

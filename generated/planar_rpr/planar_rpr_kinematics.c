@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 7098f285cbafeeb7a99f88bc9de4096cfd2c28f1616c21660b36043ae2a717d1.
+ * Made from templates/kernel.c.j2; inputs 0f6de29eff3b216d19b5d59c982dd14682728f764f976821b8a7cc6f04f08b53.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "7098f285cbafeeb7a99f88bc9de4096cfd2c28f1616c21660b36043ae2a717d1";
+const char planar_rpr_kinematics_digest[] = "0f6de29eff3b216d19b5d59c982dd14682728f764f976821b8a7cc6f04f08b53";
 #endif
 
 #define LANES 64

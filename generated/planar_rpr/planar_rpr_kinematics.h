@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 7098f285cbafeeb7a99f88bc9de4096cfd2c28f1616c21660b36043ae2a717d1.
+ * Made from templates/kernel.h.j2; inputs 0f6de29eff3b216d19b5d59c982dd14682728f764f976821b8a7cc6f04f08b53.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 150e4d47a7cb57cc0ae3e11bacebb115cf0785162a9c80550365a2f3a5f3eb14.
+ * Made from templates/kernel.c.j2; inputs 5777694d2432e0eec8aa7f17e6a9f0d084e17a05faf7436e98aeca9b8a4598de.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "150e4d47a7cb57cc0ae3e11bacebb115cf0785162a9c80550365a2f3a5f3eb14";
+const char planar_rpr_motion_digest[] = "5777694d2432e0eec8aa7f17e6a9f0d084e17a05faf7436e98aeca9b8a4598de";
 #endif
 
 #define LANES 64

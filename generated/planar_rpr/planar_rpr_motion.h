@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 150e4d47a7cb57cc0ae3e11bacebb115cf0785162a9c80550365a2f3a5f3eb14.
+ * Made from templates/kernel.h.j2; inputs 5777694d2432e0eec8aa7f17e6a9f0d084e17a05faf7436e98aeca9b8a4598de.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

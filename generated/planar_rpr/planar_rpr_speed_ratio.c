@@ -1,6 +1,6 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs a0516575525d66df1c4905285e28ad6dd5ebd631b8c76c408e2ff5f5fa5b3f75.
- * 977 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 84f43456b6d92a789654fa73c2ff3a1cec84e5a4ce62005ef45d6a61ca9d3108.
+ * 972 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "a0516575525d66df1c4905285e28ad6dd5ebd631b8c76c408e2ff5f5fa5b3f75";
+const char planar_rpr_speed_ratio_digest[] = "84f43456b6d92a789654fa73c2ff3a1cec84e5a4ce62005ef45d6a61ca9d3108";
 #endif
 
 #define LANES 64

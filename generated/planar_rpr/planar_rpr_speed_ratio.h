@@ -1,6 +1,6 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs a0516575525d66df1c4905285e28ad6dd5ebd631b8c76c408e2ff5f5fa5b3f75.
- * 977 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 84f43456b6d92a789654fa73c2ff3a1cec84e5a4ce62005ef45d6a61ca9d3108.
+ * 972 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -96,7 +96,7 @@ void planar_rpr_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   440 operations */
+ *   435 operations */
 void planar_rpr_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_rpr_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpr_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);

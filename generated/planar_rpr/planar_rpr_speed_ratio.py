@@ -1,7 +1,7 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a0516575525d66df1c4905285e28ad6dd5ebd631b8c76c408e2ff5f5fa5b3f75.
-977 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 84f43456b6d92a789654fa73c2ff3a1cec84e5a4ce62005ef45d6a61ca9d3108.
+972 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -88,7 +88,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t34 = t14 * t33 + t18 * t32
     t35 = t3 * t33 + t8 * t32
     t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
-    t37 = t36 / (1.0 - t35 * t36 - t36)
+    t37 = t36 / (1.0 - t36 - t35 * t36)
     t38 = t37 * (t3 * t32 + t8 * t33)
     t39 = t14 * t32 + t18 * t33 + t34 * t38
     t40 = t39 * t39
@@ -227,7 +227,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t34 = t17 * t33 + t19 * t32
     t35 = t10 * t33 + t11 * t32
     t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
-    t37 = t36 / (1.0 - t35 * t36 - t36)
+    t37 = t36 / (1.0 - t36 - t35 * t36)
     t38 = t37 * (t10 * t32 + t11 * t33)
     t39 = t17 * t32 + t19 * t33 + t34 * t38
     t40 = t39 * t39
@@ -366,7 +366,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t34 = t17 * t33 + t19 * t32
     t35 = t10 * t33 + t11 * t32
     t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
-    t37 = t36 / (1.0 - t35 * t36 - t36)
+    t37 = t36 / (1.0 - t36 - t35 * t36)
     t38 = t37 * (t10 * t32 + t11 * t33)
     t39 = t17 * t32 + t19 * t33 + t34 * t38
     t40 = t39 * t39
@@ -427,7 +427,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 440 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 435 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -505,7 +505,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t28 = np.sqrt((t25 * t25 + t26 * t26 + t27 * t27))
     t29 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t23 * np.sqrt(t24) - np.copysign(t28, 1.0))
     t30 = 0.5 - t29
-    t31 = t30 / (1.0 + t28 * t30 - t30)
+    t31 = t30 / (1.0 - t30 + t28 * t30)
     t32 = t27 * t31
     t33 = t26 * t31
     t34 = t31 * (t17 * t32 - t18 * t33)
@@ -541,53 +541,56 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t64 = t59 * t59 - t51 * (4.0 * t47)
     t65 = np.maximum(0.0, t64)
     t66 = t53 * (0.5 - 0.5 * np.copysign(1.0, t63 - np.copysign(t65, 1.0)))
-    t67 = t66 * (-0.5 * t59 - 0.5 * np.copysign(np.sqrt(t65), t59))
-    t68 = 0.5 - 0.5 * np.copysign(1.0, t56 - t60)
+    t67 = 1.0 - t66
+    t68 = t66 * (-0.5 * t59 - 0.5 * np.copysign(np.sqrt(t65), t59))
     t69 = 1.0 - t53
-    t70 = t68 * t69
-    t71 = t53 * t59 / (1.0 + t51 * (t53 + t53) - t53) + t47 * t70 / (1.0 + t59 * t70 - t70)
-    t72 = t47 * t66 / (1.0 + t67 - t66) - (1.0 - t66) * t71
-    t73 = t30 * (t34 + t35 * t72)
-    t74 = t30 * (t37 + t33 * t72)
-    t75 = t30 * (t44 + t32 * t72)
-    t76 = t30 * t66
-    t77 = t67 / (1.0 + t51 * t66 - t66)
-    t78 = t76 * (t34 + t35 * t77)
-    t79 = t76 * (t37 + t33 * t77)
-    t80 = t76 * (t44 + t32 * t77)
-    t81 = t73 * leads1 + t74 * leads2 + t75 * leads3
-    t82 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t73, 1.0), np.copysign(t74, 1.0)), np.copysign(t75, 1.0)) - np.copysign(t81, 1.0)
-    t83 = 0.5 - 0.5 * np.copysign(1.0, t82)
-    t84 = t83 / (1.0 + t81 * t83 - t83)
-    t85 = t78 * leads1 + t79 * leads2 + t80 * leads3
-    t86 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t78, 1.0), np.copysign(t79, 1.0)), np.copysign(t80, 1.0)) - np.copysign(t85, 1.0)
-    t87 = 0.5 - 0.5 * np.copysign(1.0, t86)
-    t88 = t87 / (1.0 + t85 * t87 - t87)
-    t89 = t73 * t73
-    t90 = t73 + t75
-    t91 = t90 * t90
-    t92 = t74 * (t36 * t73) - t38 * t89 - t41 * t89 - t43 * t91
-    t93 = t78 * t78
-    t94 = t78 + t80
-    t95 = t94 * t94
-    t96 = t79 * (t36 * t78) - t38 * t93 - t41 * t93 - t43 * t95
-    t97 = t7 * t21
-    t98 = l1 * (t5 * c1 + s1 * t12)
-    t99 = l3 * (t5 * t9 + t12 * t13)
-    t100 = t89 * t97 + t89 * t98 + t91 * t99 + t74 * (t57 * t73)
-    t101 = t73 * t89
-    t102 = -3.0 * t92 * t100 + t97 * t101 + t98 * t101 + t99 * (t90 * t91)
-    t103 = 3.0 * t17
-    t104 = t102 + t89 * (t74 * t103)
-    t105 = t93 * t97 + t93 * t98 + t95 * t99 + t79 * (t57 * t78)
-    t106 = t78 * t93
-    t107 = -3.0 * t96 * t105 + t97 * t106 + t98 * t106 + t99 * (t94 * t95)
-    t108 = t107 + t93 * (t79 * t103)
-    t109 = 0.5 - 0.5 * np.copysign(1.0, t63 - np.copysign(np.maximum(0.0, -t64), 1.0))
-    t110 = t53 * t109
-    t111 = 4.0 + t30 * (t53 * t110 + t69 * (2.0 + t68)) - 4.0 * t30
-    t112 = np.copysign((-(t108 + kappa_s)), 1.0) - np.copysign((-(t104 + kappa_s)), 1.0)
-    t113 = t69 * (1.0 - t68) * (0.5 + 0.5 * np.copysign(1.0, t61 - t62))
+    t70 = 0.5 - 0.5 * np.copysign(1.0, t56 - t60)
+    t71 = t69 * t70
+    t72 = t53 * t59 / (t69 + t51 * (t53 + t53)) + t47 * t71 / (1.0 - t71 + t59 * t71)
+    t73 = t47 * t66 / (t67 + t68) - t67 * t72
+    t74 = t30 * (t34 + t35 * t73)
+    t75 = t30 * (t37 + t33 * t73)
+    t76 = t30 * (t44 + t32 * t73)
+    t77 = t30 * t66
+    t78 = t68 / (t67 + t51 * t66)
+    t79 = t77 * (t34 + t35 * t78)
+    t80 = t77 * (t37 + t33 * t78)
+    t81 = t77 * (t44 + t32 * t78)
+    t82 = t74 * leads1 + t75 * leads2 + t76 * leads3
+    t83 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t74, 1.0), np.copysign(t75, 1.0)), np.copysign(t76, 1.0)) - np.copysign(t82, 1.0)
+    t84 = 0.5 - 0.5 * np.copysign(1.0, t83)
+    t85 = 1.0 - t84
+    t86 = t84 / (t85 + t82 * t84)
+    t87 = t79 * leads1 + t80 * leads2 + t81 * leads3
+    t88 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t79, 1.0), np.copysign(t80, 1.0)), np.copysign(t81, 1.0)) - np.copysign(t87, 1.0)
+    t89 = 0.5 - 0.5 * np.copysign(1.0, t88)
+    t90 = 1.0 - t89
+    t91 = t89 / (t90 + t87 * t89)
+    t92 = t74 * t74
+    t93 = t74 + t76
+    t94 = t93 * t93
+    t95 = t75 * (t36 * t74) - t38 * t92 - t41 * t92 - t43 * t94
+    t96 = t79 * t79
+    t97 = t79 + t81
+    t98 = t97 * t97
+    t99 = t80 * (t36 * t79) - t38 * t96 - t41 * t96 - t43 * t98
+    t100 = t7 * t21
+    t101 = l1 * (t5 * c1 + s1 * t12)
+    t102 = l3 * (t5 * t9 + t12 * t13)
+    t103 = t92 * t100 + t92 * t101 + t94 * t102 + t75 * (t57 * t74)
+    t104 = t74 * t92
+    t105 = -3.0 * t95 * t103 + t100 * t104 + t101 * t104 + t102 * (t93 * t94)
+    t106 = 3.0 * t17
+    t107 = t105 + t92 * (t75 * t106)
+    t108 = t96 * t100 + t96 * t101 + t98 * t102 + t80 * (t57 * t79)
+    t109 = t79 * t96
+    t110 = -3.0 * t99 * t108 + t100 * t109 + t101 * t109 + t102 * (t97 * t98)
+    t111 = t110 + t96 * (t80 * t106)
+    t112 = 0.5 - 0.5 * np.copysign(1.0, t63 - np.copysign(np.maximum(0.0, -t64), 1.0))
+    t113 = t53 * t112
+    t114 = 4.0 + t30 * (t53 * t113 + t69 * (2.0 + t70)) - 4.0 * t30
+    t115 = np.copysign((-(t111 + kappa_s)), 1.0) - np.copysign((-(t107 + kappa_s)), 1.0)
+    t116 = t69 * (1.0 - t70) * (0.5 + 0.5 * np.copysign(1.0, t61 - t62))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -599,25 +602,25 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t73
-    rates[..., 1] = t74
-    rates[..., 2] = t75
-    rates[..., 3] = t78
-    rates[..., 4] = t79
-    rates[..., 5] = t80
-    ratios[..., 0] = t84 * (t73 + leads1 * (t74 - t73))
-    ratios[..., 1] = t84 * (t75 + leads3 * (t74 - t75))
-    ratios[..., 2] = t88 * (t78 + leads1 * (t79 - t78))
-    ratios[..., 3] = t88 * (t80 + leads3 * (t79 - t80))
-    tracked[..., 0] = t92
-    tracked[..., 1] = t96
-    tracked_rate[..., 0] = -t104
-    tracked_rate[..., 1] = -t108
-    verdict[..., 0] = t111
+    rates[..., 0] = t74
+    rates[..., 1] = t75
+    rates[..., 2] = t76
+    rates[..., 3] = t79
+    rates[..., 4] = t80
+    rates[..., 5] = t81
+    ratios[..., 0] = t86 * (t74 + leads1 * (t75 - t74))
+    ratios[..., 1] = t86 * (t76 + leads3 * (t75 - t76))
+    ratios[..., 2] = t91 * (t79 + leads1 * (t80 - t79))
+    ratios[..., 3] = t91 * (t81 + leads3 * (t80 - t81))
+    tracked[..., 0] = t95
+    tracked[..., 1] = t99
+    tracked_rate[..., 0] = -t107
+    tracked_rate[..., 1] = -t111
+    verdict[..., 0] = t114
     verdict[..., 1] = t30 * (1.0 + t66)
-    verdict[..., 2] = t66 * (0.5 * t30) * (1.0 - np.copysign(1.0, t112))
-    verdict[..., 3] = t30 * (t70 + t53 * (1.0 - t110) + t113)
-    verdict[..., 4] = t76 * (1.0 - t87) + t30 * (1.0 - t83)
+    verdict[..., 2] = t66 * (0.5 * t30) * (1.0 - np.copysign(1.0, t115))
+    verdict[..., 3] = t30 * (t71 + t53 * (1.0 - t113) + t116)
+    verdict[..., 4] = t77 * t90 + t30 * t85
     parabola[..., 0] = t51
     parabola[..., 1] = t59
     parabola[..., 2] = t46

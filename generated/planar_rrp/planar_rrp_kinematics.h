@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 77eb7f446fdb85c6c462267325746849083323b8f25f4e1f4a82e9ba55b3b881.
+ * Made from templates/kernel.h.j2; inputs 85d03777c5d9e017183ab24ecd0b05cd1a307aab64a8e1284ab49f959a956fa0.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 3acee4c3a9fff8743cf8081643465a3f25c2b376663a45c59dba685f4f85149a.
+ * Made from templates/kernel.c.j2; inputs d8cddc9f106a2a8b2338658a04b50916baedc2d2befea36516c744bcc6c9c62b.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "3acee4c3a9fff8743cf8081643465a3f25c2b376663a45c59dba685f4f85149a";
+const char planar_rrp_motion_digest[] = "d8cddc9f106a2a8b2338658a04b50916baedc2d2befea36516c744bcc6c9c62b";
 #endif
 
 #define LANES 64

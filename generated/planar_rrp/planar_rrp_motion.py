@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3acee4c3a9fff8743cf8081643465a3f25c2b376663a45c59dba685f4f85149a.
+Made from templates/kernel.py.j2; inputs d8cddc9f106a2a8b2338658a04b50916baedc2d2befea36516c744bcc6c9c62b.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs ef6eb945134078ceff275a6414a1e39abd11c12bca66ec37a195633c423c31f7.
- * 1006 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 23a1758e3090834892e5d7dd9a2b28af15dbbc1aec7ed25e34ce56881e5e6639.
+ * 1001 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "ef6eb945134078ceff275a6414a1e39abd11c12bca66ec37a195633c423c31f7";
+const char planar_rrp_speed_ratio_digest[] = "23a1758e3090834892e5d7dd9a2b28af15dbbc1aec7ed25e34ce56881e5e6639";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_rrp_speed_ratio.h: speed ratio of planar_rrp.
- * Made from templates/kernel.h.j2; inputs ef6eb945134078ceff275a6414a1e39abd11c12bca66ec37a195633c423c31f7.
- * 1006 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 23a1758e3090834892e5d7dd9a2b28af15dbbc1aec7ed25e34ce56881e5e6639.
+ * 1001 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -96,7 +96,7 @@ void planar_rrp_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   442 operations */
+ *   437 operations */
 void planar_rrp_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_rrp_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrp_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);

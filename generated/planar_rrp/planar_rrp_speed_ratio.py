@@ -1,7 +1,7 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ef6eb945134078ceff275a6414a1e39abd11c12bca66ec37a195633c423c31f7.
-1006 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 23a1758e3090834892e5d7dd9a2b28af15dbbc1aec7ed25e34ce56881e5e6639.
+1001 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -92,7 +92,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t38 = t20 * t37 + t22 * t36
     t39 = t12 * t37 + t13 * t36
     t40 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign((-t39), 1.0))
-    t41 = t40 / (1.0 - t39 * t40 - t40)
+    t41 = t40 / (1.0 - t40 - t39 * t40)
     t42 = t41 * (t12 * t36 + t13 * t37)
     t43 = t20 * t36 + t22 * t37 + t38 * t42
     t44 = t43 * t43
@@ -235,7 +235,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t38 = t20 * t37 + t22 * t36
     t39 = t10 * t37 + t11 * t36
     t40 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign((-t39), 1.0))
-    t41 = t40 / (1.0 - t39 * t40 - t40)
+    t41 = t40 / (1.0 - t40 - t39 * t40)
     t42 = t41 * (t10 * t36 + t11 * t37)
     t43 = t20 * t36 + t22 * t37 + t38 * t42
     t44 = t43 * t43
@@ -378,7 +378,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t38 = t20 * t37 + t23 * t36
     t39 = t10 * t37 + t13 * t36
     t40 = 0.5 - 0.5 * np.copysign(1.0, t35 - np.copysign((-t39), 1.0))
-    t41 = t40 / (1.0 - t39 * t40 - t40)
+    t41 = t40 / (1.0 - t40 - t39 * t40)
     t42 = t41 * (t10 * t36 + t13 * t37)
     t43 = t20 * t36 + t23 * t37 + t38 * t42
     t44 = t43 * t43
@@ -437,7 +437,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 442 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 437 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading3)
@@ -517,7 +517,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t30 = np.sqrt((t27 * t27 + t28 * t28 + t29 * t29))
     t31 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t25 * np.sqrt(t26) - np.copysign(t30, 1.0))
     t32 = 0.5 - t31
-    t33 = t32 / (1.0 + t30 * t32 - t32)
+    t33 = t32 / (1.0 - t32 + t30 * t32)
     t34 = t29 * t33
     t35 = t28 * t33
     t36 = t33 * (t19 * t34 - t20 * t35)
@@ -555,53 +555,56 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t68 = t63 * t63 - t55 * (4.0 * t50)
     t69 = np.maximum(0.0, t68)
     t70 = t57 * (0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(t69, 1.0)))
-    t71 = t70 * (-0.5 * t63 - 0.5 * np.copysign(np.sqrt(t69), t63))
-    t72 = 0.5 - 0.5 * np.copysign(1.0, t60 - t64)
+    t71 = 1.0 - t70
+    t72 = t70 * (-0.5 * t63 - 0.5 * np.copysign(np.sqrt(t69), t63))
     t73 = 1.0 - t57
-    t74 = t72 * t73
-    t75 = t57 * t63 / (1.0 + t55 * (t57 + t57) - t57) + t50 * t74 / (1.0 + t63 * t74 - t74)
-    t76 = t50 * t70 / (1.0 + t71 - t70) - (1.0 - t70) * t75
-    t77 = t32 * (t36 + t37 * t76)
-    t78 = t32 * (t40 + t35 * t76)
-    t79 = t32 * (t39 + t34 * t76)
-    t80 = t32 * t70
-    t81 = t71 / (1.0 + t55 * t70 - t70)
-    t82 = t80 * (t36 + t37 * t81)
-    t83 = t80 * (t40 + t35 * t81)
-    t84 = t80 * (t39 + t34 * t81)
-    t85 = t77 * leads1 + t78 * leads2 + t79 * leads3
-    t86 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t77, 1.0), np.copysign(t78, 1.0)), np.copysign(t79, 1.0)) - np.copysign(t85, 1.0)
-    t87 = 0.5 - 0.5 * np.copysign(1.0, t86)
-    t88 = t87 / (1.0 + t85 * t87 - t87)
-    t89 = t82 * leads1 + t83 * leads2 + t84 * leads3
-    t90 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign(t83, 1.0)), np.copysign(t84, 1.0)) - np.copysign(t89, 1.0)
-    t91 = 0.5 - 0.5 * np.copysign(1.0, t90)
-    t92 = t91 / (1.0 + t89 * t91 - t91)
-    t93 = t77 + t78
-    t94 = t93 * t93
-    t95 = t77 * t77
-    t96 = t38 * t79 * t93 - t42 * t94 - t45 * t95 - t48 * t94
-    t97 = t82 + t83
-    t98 = t97 * t97
-    t99 = t82 * t82
-    t100 = t38 * t84 * t97 - t42 * t98 - t45 * t99 - t48 * t98
-    t101 = t10 * t24
-    t102 = l1 * (t5 * c1 + s1 * t12)
-    t103 = l2 * (t5 * t7 + t8 * t12)
-    t104 = t94 * t101 + t95 * t102 + t94 * t103 + t93 * (t61 * t79)
-    t105 = t93 * t94
-    t106 = -3.0 * t96 * t104 + t101 * t105 + t102 * (t77 * t95)
-    t107 = 3.0 * t20
-    t108 = t106 + t103 * t105 + t94 * (t79 * t107)
-    t109 = t98 * t101 + t99 * t102 + t98 * t103 + t97 * (t61 * t84)
-    t110 = t97 * t98
-    t111 = -3.0 * t100 * t109 + t101 * t110 + t102 * (t82 * t99)
-    t112 = t111 + t103 * t110 + t98 * (t84 * t107)
-    t113 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
-    t114 = t57 * t113
-    t115 = 4.0 + t32 * (t57 * t114 + t73 * (2.0 + t72)) - 4.0 * t32
-    t116 = np.copysign((-(t112 + kappa_s)), 1.0) - np.copysign((-(t108 + kappa_s)), 1.0)
-    t117 = t73 * (1.0 - t72) * (0.5 + 0.5 * np.copysign(1.0, t65 - t66))
+    t74 = 0.5 - 0.5 * np.copysign(1.0, t60 - t64)
+    t75 = t73 * t74
+    t76 = t57 * t63 / (t73 + t55 * (t57 + t57)) + t50 * t75 / (1.0 - t75 + t63 * t75)
+    t77 = t50 * t70 / (t71 + t72) - t71 * t76
+    t78 = t32 * (t36 + t37 * t77)
+    t79 = t32 * (t40 + t35 * t77)
+    t80 = t32 * (t39 + t34 * t77)
+    t81 = t32 * t70
+    t82 = t72 / (t71 + t55 * t70)
+    t83 = t81 * (t36 + t37 * t82)
+    t84 = t81 * (t40 + t35 * t82)
+    t85 = t81 * (t39 + t34 * t82)
+    t86 = t78 * leads1 + t79 * leads2 + t80 * leads3
+    t87 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t78, 1.0), np.copysign(t79, 1.0)), np.copysign(t80, 1.0)) - np.copysign(t86, 1.0)
+    t88 = 0.5 - 0.5 * np.copysign(1.0, t87)
+    t89 = 1.0 - t88
+    t90 = t88 / (t89 + t86 * t88)
+    t91 = t83 * leads1 + t84 * leads2 + t85 * leads3
+    t92 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t83, 1.0), np.copysign(t84, 1.0)), np.copysign(t85, 1.0)) - np.copysign(t91, 1.0)
+    t93 = 0.5 - 0.5 * np.copysign(1.0, t92)
+    t94 = 1.0 - t93
+    t95 = t93 / (t94 + t91 * t93)
+    t96 = t78 + t79
+    t97 = t96 * t96
+    t98 = t78 * t78
+    t99 = t38 * t80 * t96 - t42 * t97 - t45 * t98 - t48 * t97
+    t100 = t83 + t84
+    t101 = t100 * t100
+    t102 = t83 * t83
+    t103 = t38 * t85 * t100 - t42 * t101 - t45 * t102 - t48 * t101
+    t104 = t10 * t24
+    t105 = l1 * (t5 * c1 + s1 * t12)
+    t106 = l2 * (t5 * t7 + t8 * t12)
+    t107 = t97 * t104 + t98 * t105 + t97 * t106 + t96 * (t61 * t80)
+    t108 = t96 * t97
+    t109 = -3.0 * t99 * t107 + t104 * t108 + t105 * (t78 * t98)
+    t110 = 3.0 * t20
+    t111 = t109 + t106 * t108 + t97 * (t80 * t110)
+    t112 = t101 * t104 + t102 * t105 + t101 * t106 + t100 * (t61 * t85)
+    t113 = t100 * t101
+    t114 = -3.0 * t103 * t112 + t104 * t113 + t105 * (t83 * t102)
+    t115 = t114 + t106 * t113 + t101 * (t85 * t110)
+    t116 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t117 = t57 * t116
+    t118 = 4.0 + t32 * (t57 * t117 + t73 * (2.0 + t74)) - 4.0 * t32
+    t119 = np.copysign((-(t115 + kappa_s)), 1.0) - np.copysign((-(t111 + kappa_s)), 1.0)
+    t120 = t73 * (1.0 - t74) * (0.5 + 0.5 * np.copysign(1.0, t65 - t66))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -613,25 +616,25 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t77
-    rates[..., 1] = t78
-    rates[..., 2] = t79
-    rates[..., 3] = t82
-    rates[..., 4] = t83
-    rates[..., 5] = t84
-    ratios[..., 0] = t88 * (t77 + leads1 * (t78 - t77))
-    ratios[..., 1] = t88 * (t79 + leads3 * (t78 - t79))
-    ratios[..., 2] = t92 * (t82 + leads1 * (t83 - t82))
-    ratios[..., 3] = t92 * (t84 + leads3 * (t83 - t84))
-    tracked[..., 0] = t96
-    tracked[..., 1] = t100
-    tracked_rate[..., 0] = -t108
-    tracked_rate[..., 1] = -t112
-    verdict[..., 0] = t115
+    rates[..., 0] = t78
+    rates[..., 1] = t79
+    rates[..., 2] = t80
+    rates[..., 3] = t83
+    rates[..., 4] = t84
+    rates[..., 5] = t85
+    ratios[..., 0] = t90 * (t78 + leads1 * (t79 - t78))
+    ratios[..., 1] = t90 * (t80 + leads3 * (t79 - t80))
+    ratios[..., 2] = t95 * (t83 + leads1 * (t84 - t83))
+    ratios[..., 3] = t95 * (t85 + leads3 * (t84 - t85))
+    tracked[..., 0] = t99
+    tracked[..., 1] = t103
+    tracked_rate[..., 0] = -t111
+    tracked_rate[..., 1] = -t115
+    verdict[..., 0] = t118
     verdict[..., 1] = t32 * (1.0 + t70)
-    verdict[..., 2] = t70 * (0.5 * t32) * (1.0 - np.copysign(1.0, t116))
-    verdict[..., 3] = t32 * (t74 + t57 * (1.0 - t114) + t117)
-    verdict[..., 4] = t80 * (1.0 - t91) + t32 * (1.0 - t87)
+    verdict[..., 2] = t70 * (0.5 * t32) * (1.0 - np.copysign(1.0, t119))
+    verdict[..., 3] = t32 * (t75 + t57 * (1.0 - t117) + t120)
+    verdict[..., 4] = t81 * t94 + t32 * t89
     parabola[..., 0] = t55
     parabola[..., 1] = t63
     parabola[..., 2] = t49

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 73f619fd835b717c3885a17e54445c3e4701fd17dafbabdc2ef28584ed3a0714.
+ * Made from templates/kernel.c.j2; inputs 0b2cb16254730afd045ca621273b2e4f6cc7f250eb1d401fced1466b321ee42e.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "73f619fd835b717c3885a17e54445c3e4701fd17dafbabdc2ef28584ed3a0714";
+const char planar_rrr_motion_digest[] = "0b2cb16254730afd045ca621273b2e4f6cc7f250eb1d401fced1466b321ee42e";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 1f048e907885b5fca8287efca884e022bd6b80d8085f1dbfd90d32aee985fd55.
- * 1002 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 30a6608496166d35684de0c60195b3e11222096e00c8aa7e778552d0736fd43e.
+ * 997 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "1f048e907885b5fca8287efca884e022bd6b80d8085f1dbfd90d32aee985fd55";
+const char planar_rrr_speed_ratio_digest[] = "30a6608496166d35684de0c60195b3e11222096e00c8aa7e778552d0736fd43e";
 #endif
 
 #define LANES 64

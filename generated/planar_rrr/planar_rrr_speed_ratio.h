@@ -1,6 +1,6 @@
 /* planar_rrr_speed_ratio.h: speed ratio of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 1f048e907885b5fca8287efca884e022bd6b80d8085f1dbfd90d32aee985fd55.
- * 1002 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 30a6608496166d35684de0c60195b3e11222096e00c8aa7e778552d0736fd43e.
+ * 997 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -96,7 +96,7 @@ void planar_rrr_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   426 operations */
+ *   421 operations */
 void planar_rrr_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_rrr_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);

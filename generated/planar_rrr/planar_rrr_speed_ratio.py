@@ -1,7 +1,7 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1f048e907885b5fca8287efca884e022bd6b80d8085f1dbfd90d32aee985fd55.
-1002 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 30a6608496166d35684de0c60195b3e11222096e00c8aa7e778552d0736fd43e.
+997 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -92,7 +92,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t39 = t22 * t38 + t24 * t37
     t40 = t13 * t38 + t14 * t37
     t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
-    t42 = t41 / (1.0 - t40 * t41 - t41)
+    t42 = t41 / (1.0 - t41 - t40 * t41)
     t43 = t42 * (t13 * t37 + t14 * t38)
     t44 = t22 * t37 + t24 * t38 + t39 * t43
     t45 = t44 * t44
@@ -235,7 +235,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t39 = t22 * t38 + t24 * t37
     t40 = t11 * t38 + t12 * t37
     t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
-    t42 = t41 / (1.0 - t40 * t41 - t41)
+    t42 = t41 / (1.0 - t41 - t40 * t41)
     t43 = t42 * (t11 * t37 + t12 * t38)
     t44 = t22 * t37 + t24 * t38 + t39 * t43
     t45 = t44 * t44
@@ -378,7 +378,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t39 = t22 * t38 + t25 * t37
     t40 = t11 * t38 + t14 * t37
     t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
-    t42 = t41 / (1.0 - t40 * t41 - t41)
+    t42 = t41 / (1.0 - t41 - t40 * t41)
     t43 = t42 * (t11 * t37 + t14 * t38)
     t44 = t22 * t37 + t25 * t38 + t39 * t43
     t45 = t44 * t44
@@ -437,7 +437,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 426 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 421 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -517,7 +517,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t31 = np.sqrt((t28 * t28 + t29 * t29 + t30 * t30))
     t32 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t26 * np.sqrt(t27) - np.copysign(t31, 1.0))
     t33 = 0.5 - t32
-    t34 = t33 / (1.0 + t31 * t33 - t33)
+    t34 = t33 / (1.0 - t33 + t31 * t33)
     t35 = t30 * t34
     t36 = t29 * t34
     t37 = t34 * (t20 * t35 - t21 * t36)
@@ -554,52 +554,55 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t68 = t61 * t61 - t48 * (4.0 * t65)
     t69 = np.maximum(0.0, t68)
     t70 = t51 * (0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(t69, 1.0)))
-    t71 = 0.5 - 0.5 * np.copysign(1.0, t57 - t62)
-    t72 = 1.0 - t51
-    t73 = t71 * t72
-    t74 = t65 * t73 / (1.0 + t61 * t73 - t73) - t51 * t61 / (1.0 - t48 * (t51 + t51) - t51)
-    t75 = t70 * (-0.5 * t61 - 0.5 * np.copysign(np.sqrt(t69), t61))
-    t76 = (1.0 - t70) * t74 - t65 * t70 / (1.0 + t75 - t70)
-    t77 = t33 * (t37 + t38 * t76)
-    t78 = t33 * (t53 + t36 * t76)
-    t79 = t33 * (t54 + t35 * t76)
-    t80 = t33 * t70
-    t81 = t75 / (1.0 - t48 * t70 - t70)
-    t82 = t80 * (t37 + t38 * t81)
-    t83 = t80 * (t53 + t36 * t81)
-    t84 = t80 * (t54 + t35 * t81)
-    t85 = t77 * leads1 + t78 * leads2 + t79 * leads3
-    t86 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t77, 1.0), np.copysign(t78, 1.0)), np.copysign(t79, 1.0)) - np.copysign(t85, 1.0)
-    t87 = 0.5 - 0.5 * np.copysign(1.0, t86)
-    t88 = t87 / (1.0 + t85 * t87 - t87)
-    t89 = t82 * leads1 + t83 * leads2 + t84 * leads3
-    t90 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign(t83, 1.0)), np.copysign(t84, 1.0)) - np.copysign(t89, 1.0)
-    t91 = 0.5 - 0.5 * np.copysign(1.0, t90)
-    t92 = t91 / (1.0 + t89 * t91 - t91)
-    t93 = t77 * t77
-    t94 = t77 + t78
-    t95 = t94 * t94
-    t96 = t79 + t94
-    t97 = t96 * t96
-    t98 = t41 * t93 + t43 * t95 + t46 * t97
-    t99 = t82 * t82
-    t100 = t82 + t83
-    t101 = t100 * t100
-    t102 = t84 + t100
-    t103 = t102 * t102
-    t104 = t41 * t99 + t43 * t101 + t46 * t103
-    t105 = l1 * (t5 * c1 + s1 * t12)
-    t106 = l2 * (t5 * t7 + t8 * t12)
-    t107 = l3 * (t5 * t9 + t12 * t14)
-    t108 = -3.0 * t98 * (t93 * t105 + t95 * t106 + t97 * t107)
-    t109 = t108 - t105 * (t77 * t93) - t106 * (t94 * t95) - t107 * (t96 * t97)
-    t110 = -3.0 * t104 * (t99 * t105 + t101 * t106 + t103 * t107)
-    t111 = t110 - t105 * (t82 * t99) - t106 * (t100 * t101) - t107 * (t102 * t103)
-    t112 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
-    t113 = t51 * t112
-    t114 = 4.0 + t33 * (t51 * t113 + t72 * (2.0 + t71)) - 4.0 * t33
-    t115 = 1.0 - np.copysign(1.0, np.copysign((t111 - kappa_s), 1.0) - np.copysign((t109 - kappa_s), 1.0))
-    t116 = t72 * (1.0 - t71) * (0.5 + 0.5 * np.copysign(1.0, t63 - t66))
+    t71 = 1.0 - t70
+    t72 = 0.5 - 0.5 * np.copysign(1.0, t57 - t62)
+    t73 = 1.0 - t51
+    t74 = t72 * t73
+    t75 = t65 * t74 / (1.0 - t74 + t61 * t74) - t51 * t61 / (t73 - t48 * (t51 + t51))
+    t76 = t70 * (-0.5 * t61 - 0.5 * np.copysign(np.sqrt(t69), t61))
+    t77 = t71 * t75 - t65 * t70 / (t71 + t76)
+    t78 = t33 * (t37 + t38 * t77)
+    t79 = t33 * (t53 + t36 * t77)
+    t80 = t33 * (t54 + t35 * t77)
+    t81 = t33 * t70
+    t82 = t76 / (t71 - t48 * t70)
+    t83 = t81 * (t37 + t38 * t82)
+    t84 = t81 * (t53 + t36 * t82)
+    t85 = t81 * (t54 + t35 * t82)
+    t86 = t78 * leads1 + t79 * leads2 + t80 * leads3
+    t87 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t78, 1.0), np.copysign(t79, 1.0)), np.copysign(t80, 1.0)) - np.copysign(t86, 1.0)
+    t88 = 0.5 - 0.5 * np.copysign(1.0, t87)
+    t89 = 1.0 - t88
+    t90 = t88 / (t89 + t86 * t88)
+    t91 = t83 * leads1 + t84 * leads2 + t85 * leads3
+    t92 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t83, 1.0), np.copysign(t84, 1.0)), np.copysign(t85, 1.0)) - np.copysign(t91, 1.0)
+    t93 = 0.5 - 0.5 * np.copysign(1.0, t92)
+    t94 = 1.0 - t93
+    t95 = t93 / (t94 + t91 * t93)
+    t96 = t78 * t78
+    t97 = t78 + t79
+    t98 = t97 * t97
+    t99 = t80 + t97
+    t100 = t99 * t99
+    t101 = t41 * t96 + t43 * t98 + t46 * t100
+    t102 = t83 * t83
+    t103 = t83 + t84
+    t104 = t103 * t103
+    t105 = t85 + t103
+    t106 = t105 * t105
+    t107 = t41 * t102 + t43 * t104 + t46 * t106
+    t108 = l1 * (t5 * c1 + s1 * t12)
+    t109 = l2 * (t5 * t7 + t8 * t12)
+    t110 = l3 * (t5 * t9 + t12 * t14)
+    t111 = -3.0 * t101 * (t96 * t108 + t98 * t109 + t100 * t110)
+    t112 = t111 - t108 * (t78 * t96) - t109 * (t97 * t98) - t110 * (t99 * t100)
+    t113 = -3.0 * t107 * (t102 * t108 + t104 * t109 + t106 * t110)
+    t114 = t113 - t108 * (t83 * t102) - t109 * (t103 * t104) - t110 * (t105 * t106)
+    t115 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t116 = t51 * t115
+    t117 = 4.0 + t33 * (t51 * t116 + t73 * (2.0 + t72)) - 4.0 * t33
+    t118 = 1.0 - np.copysign(1.0, np.copysign((t114 - kappa_s), 1.0) - np.copysign((t112 - kappa_s), 1.0))
+    t119 = t73 * (1.0 - t72) * (0.5 + 0.5 * np.copysign(1.0, t63 - t66))
 
     # results
     rates = np.empty((*leading, 6), real)
@@ -611,25 +614,25 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*leading, 1), real)
     least = np.empty((*leading, 3), real)
     null = np.empty((*leading, 3), real)
-    rates[..., 0] = t77
-    rates[..., 1] = t78
-    rates[..., 2] = t79
-    rates[..., 3] = t82
-    rates[..., 4] = t83
-    rates[..., 5] = t84
-    ratios[..., 0] = t88 * (t77 + leads1 * (t78 - t77))
-    ratios[..., 1] = t88 * (t79 + leads3 * (t78 - t79))
-    ratios[..., 2] = t92 * (t82 + leads1 * (t83 - t82))
-    ratios[..., 3] = t92 * (t84 + leads3 * (t83 - t84))
-    tracked[..., 0] = -t98
-    tracked[..., 1] = -t104
-    tracked_rate[..., 0] = t109
-    tracked_rate[..., 1] = t111
-    verdict[..., 0] = t114
+    rates[..., 0] = t78
+    rates[..., 1] = t79
+    rates[..., 2] = t80
+    rates[..., 3] = t83
+    rates[..., 4] = t84
+    rates[..., 5] = t85
+    ratios[..., 0] = t90 * (t78 + leads1 * (t79 - t78))
+    ratios[..., 1] = t90 * (t80 + leads3 * (t79 - t80))
+    ratios[..., 2] = t95 * (t83 + leads1 * (t84 - t83))
+    ratios[..., 3] = t95 * (t85 + leads3 * (t84 - t85))
+    tracked[..., 0] = -t101
+    tracked[..., 1] = -t107
+    tracked_rate[..., 0] = t112
+    tracked_rate[..., 1] = t114
+    verdict[..., 0] = t117
     verdict[..., 1] = t33 * (1.0 + t70)
-    verdict[..., 2] = t70 * (0.5 * t33) * t115
-    verdict[..., 3] = t33 * (t73 + t51 * (1.0 - t113) + t116)
-    verdict[..., 4] = t80 * (1.0 - t91) + t33 * (1.0 - t87)
+    verdict[..., 2] = t70 * (0.5 * t33) * t118
+    verdict[..., 3] = t33 * (t74 + t51 * (1.0 - t116) + t119)
+    verdict[..., 4] = t81 * t94 + t33 * t89
     parabola[..., 0] = t49
     parabola[..., 1] = t61
     parabola[..., 2] = -t64

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 97bc6f13711b5b40374050d4af1caafbb0326fd0a263537dd01e56d25160c4a6.
+ * Made from templates/kernel.c.j2; inputs 86e5c3564ac51d58d391ae7efa9c76b735f43dbf4d14ea7f8e7157cc12f1348d.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "97bc6f13711b5b40374050d4af1caafbb0326fd0a263537dd01e56d25160c4a6";
+const char puma560_kinematics_digest[] = "86e5c3564ac51d58d391ae7efa9c76b735f43dbf4d14ea7f8e7157cc12f1348d";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 97bc6f13711b5b40374050d4af1caafbb0326fd0a263537dd01e56d25160c4a6.
+Made from templates/kernel.py.j2; inputs 86e5c3564ac51d58d391ae7efa9c76b735f43dbf4d14ea7f8e7157cc12f1348d.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

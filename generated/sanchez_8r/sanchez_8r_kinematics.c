@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 9d5cc056b1f50fd4dd3ad90dcba6da3c1f0d62d17957249b6a2ab2dc00ad2fa1.
+ * Made from templates/kernel.c.j2; inputs bfd8940834ff7a3edf54dca8c56aebe1579fd8b792ea15b1e7f6b2ceeebfe242.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "9d5cc056b1f50fd4dd3ad90dcba6da3c1f0d62d17957249b6a2ab2dc00ad2fa1";
+const char sanchez_8r_kinematics_digest[] = "bfd8940834ff7a3edf54dca8c56aebe1579fd8b792ea15b1e7f6b2ceeebfe242";
 #endif
 
 #define LANES 32

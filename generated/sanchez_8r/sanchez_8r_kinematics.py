@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9d5cc056b1f50fd4dd3ad90dcba6da3c1f0d62d17957249b6a2ab2dc00ad2fa1.
+Made from templates/kernel.py.j2; inputs bfd8940834ff7a3edf54dca8c56aebe1579fd8b792ea15b1e7f6b2ceeebfe242.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

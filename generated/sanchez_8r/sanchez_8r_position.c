@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 42836538fee762393690d1846933879b4702d4a1cb71bb243271eff1be553934.
+ * Made from templates/kernel.c.j2; inputs 466a84a612e979fa4ecce211cc26cde5dfbe83dbc948cccf33869e481460088a.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "42836538fee762393690d1846933879b4702d4a1cb71bb243271eff1be553934";
+const char sanchez_8r_position_digest[] = "466a84a612e979fa4ecce211cc26cde5dfbe83dbc948cccf33869e481460088a";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9d58251c8d0391964fcc2f86a4e479c5eb80ece2b20eab36d5eea305cd853ba1.
+Made from templates/kernel.py.j2; inputs 630a5face44a32edeefaf164251400e157c47d408dfd4bddb10611c00681e496.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

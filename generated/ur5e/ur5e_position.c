@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs ae0f96d7ad590463da4539352f0efa77ca9ef778de28e237051a1c4167592a78.
+ * Made from templates/kernel.c.j2; inputs 78dc4c3485a8d2c13c1178d7a3b20927f3df2b8684849031247db42b94d8ab3c.
  * 1082 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "ae0f96d7ad590463da4539352f0efa77ca9ef778de28e237051a1c4167592a78";
+const char ur5e_position_digest[] = "78dc4c3485a8d2c13c1178d7a3b20927f3df2b8684849031247db42b94d8ab3c";
 #endif
 
 #define LANES 64

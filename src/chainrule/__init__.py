@@ -18,10 +18,14 @@ if TYPE_CHECKING:
     from chainrule.errors import DescriptionError, GenerationError, InputError
     from chainrule.export import generate
     from chainrule.following import follow
+    from chainrule.four_joints import speed_ratios_4, speed_ratios_4_each
     from chainrule.goals import FastestMove, Postures, fastest, postures
+    from chainrule.higher_order import motion_ratios
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
     from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
     from chainrule.readers.paths import read_path
+    from chainrule.scaling import time_scaling
+    from chainrule.speed_ratio import SpeedRatios, speed_ratios
     from chainrule.timing import JointMove, min_time
     from chainrule.workspaces import Workspace, workspace
 
@@ -42,6 +46,7 @@ __all__ = [
     "Maximum",
     "NoCompilerWarning",
     "Postures",
+    "SpeedRatios",
     "Spline",
     "Workspace",
     "fastest",
@@ -51,11 +56,16 @@ __all__ = [
     "manipulability_map",
     "max_manipulability",
     "min_time",
+    "motion_ratios",
     "orthogonal_3r",
     "planar",
     "planar_3r",
     "postures",
     "read_path",
+    "speed_ratios",
+    "speed_ratios_4",
+    "speed_ratios_4_each",
+    "time_scaling",
     "workspace",
 ]
 
@@ -70,7 +80,11 @@ _HOMES = {
     ),
     **dict.fromkeys(("Arc", "Circle", "Curve", "Ellipse", "Line", "Spline"), "chainrule.paths"),
     **dict.fromkeys(("JointMove", "min_time"), "chainrule.timing"),
+    **dict.fromkeys(("speed_ratios_4", "speed_ratios_4_each"), "chainrule.four_joints"),
     "follow": "chainrule.following",
+    "motion_ratios": "chainrule.higher_order",
+    **dict.fromkeys(("SpeedRatios", "speed_ratios"), "chainrule.speed_ratio"),
+    "time_scaling": "chainrule.scaling",
     "read_path": "chainrule.readers.paths",
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),
 }

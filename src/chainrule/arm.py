@@ -40,6 +40,13 @@ class Limits:
     torque: Array
 
 
+def _likely(name: str, group: str) -> bool:
+    """Whether a function of this name is probably in a group: what is looked at first need not be made in vain."""
+    if name.startswith(("jacobian_", "kinematics_", "survey_")) or name in ("position", "pose", "postures"):
+        return group == "kinematics"
+    return name.startswith(group) or name.endswith(group)
+
+
 class Arm:
     """An arm and everything generated for it. Make one with :func:`load`, :meth:`from_dh` or a family.
 
@@ -179,7 +186,7 @@ class Arm:
         Raises:
             InputError: if this arm has no such function.
         """
-        for group in self.groups:
+        for group in sorted(self.groups, key=lambda group: not _likely(name, group)):
             found = self._evaluators.get(group, name)
             if found is not None:
                 return found

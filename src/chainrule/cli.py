@@ -17,11 +17,13 @@ import typer
 from chainrule.commands import (  # noqa: F401  each adds its commands to the application
     arms,
     follow,
+    four_joints,
     generate,
     manipulability,
     min_time,
     report,
     reproduce,
+    speed_ratios,
     workspace,
 )
 from chainrule.console import app, complain, say

@@ -88,6 +88,13 @@ PAPERS: dict[str, Paper] = {
             "exercises 1 and 2 and the bonus exercise",
             "chainrule.papers.deluca",
         ),
+        Paper(
+            "ambike",
+            "S. Ambike, J. P. Schmiedeler, M. M. Stanišić, Using Redundancy in Serial Planar Mechanisms to Improve "
+            "Output-Space Tracking Accuracy, 2010",
+            "equations (3) to (9), both examples, figures 1 and 2, and what the paper claims",
+            "chainrule.papers.ambike",
+        ),
     )
 }
 

@@ -11,8 +11,21 @@ Example:
 from __future__ import annotations
 
 from chainrule.plot.arm import draw_arm
+from chainrule.plot.higher_order import draw_four_joints, draw_orders, draw_timings
 from chainrule.plot.maps import draw_map, draw_optima
+from chainrule.plot.speed_ratio import draw_reachable, draw_speed_ratios
 from chainrule.plot.timing import draw_profiles
 from chainrule.plot.workspace import draw_workspace
 
-__all__ = ["draw_arm", "draw_map", "draw_optima", "draw_profiles", "draw_workspace"]
+__all__ = [
+    "draw_arm",
+    "draw_four_joints",
+    "draw_map",
+    "draw_optima",
+    "draw_orders",
+    "draw_profiles",
+    "draw_reachable",
+    "draw_speed_ratios",
+    "draw_timings",
+    "draw_workspace",
+]
