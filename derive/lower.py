@@ -19,6 +19,12 @@ from chainrule.errors import GenerationError
 Operand = int | float  # the index of a value, or (as float) a constant
 
 
+#: Names that the generated code uses itself: no input or output may have them.
+RESERVED = frozenset(
+    ["args", "cosine", "count", "i", "kept", "np", "real", "sine", "start", "steps", "streaming", "taken"]
+)
+
+
 @dataclass(frozen=True)
 class Port:
     """A named array going in or out; ``labels`` name the entries of an input."""
@@ -82,6 +88,8 @@ def lower(function: Function) -> Kernel:
     names = [i.name for i in function.program.inputs] + [name for name, _, _ in outputs]
     if len(set(names)) < len(names):
         raise GenerationError(f"{function.name}: an input and an output, or two of either, share a name: {names}")
+    if taken := RESERVED.intersection(names):
+        raise GenerationError(f"{function.name}: the templates need the name {min(taken)!r} for themselves")
     ports = tuple(Port(i.name, i.shape, tuple(str(symbol) for symbol in i.symbols)) for i in function.program.inputs)
     results = [entry for _, _, entry in outputs]
     casadi_function = ca.Function("f", inputs, ca.cse(results))

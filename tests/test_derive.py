@@ -315,6 +315,15 @@ def test_a_constant_is_not_the_number_of_a_value():
         assert numbering.add("mul", float(k), entries[7]) != numbering.add("mul", k, entries[7])
 
 
+@pytest.mark.parametrize(("given", "result", "said"), [("x", "x", "share a name"), ("q", "count", "'count'")])
+def test_names_that_would_clash_are_refused(given, result, said):
+    x = sp.Symbol("x1", real=True)
+    program = Program("f", "f", (Input(given, (1,), (x,)),), (), (Output(result, (1,), (2 * x,)),))
+    with pytest.raises(cr.GenerationError, match=said) as caught:
+        lower.lower(catalogue.Function("f", program))
+    under.one_line(caught.value)
+
+
 def test_operations_are_counted():
     x, y = sp.symbols("q1 q2", real=True)
     kernel = lower.lower(catalogue.Function("f", operations_program([sp.sin(x) * y + 1])))

@@ -20,7 +20,7 @@ from chainrule.derive.speed_ratio import TANGENT
 from chainrule.errors import InputError
 from chainrule.four_joints import FourJointRatios, speed_ratios_4, speed_ratios_4_each
 
-KINDS = ("RRRR", "RRRP", "RPRR")
+KINDS = ("RRRR", "RPRR")
 ARMS = {
     kinds: cr.planar(kinds, [1.0, 0.8, 0.6, 0.4], [0.3 * (i + 1) * (k == "P") for i, k in enumerate(kinds)])
     for kinds in (*KINDS, "RPPP", "PPPP")
@@ -72,7 +72,7 @@ def tip_path(arm: cr.Arm, q: Any, rates: Any, digits: int = 50) -> list[Any]:
 def test_solutions_meet_the_conditions(kinds: str) -> None:
     """Tangent, curvature and rate by differences of an independent pose at 50 digits."""
     arm = ARMS[kinds]
-    q, tangents, curvatures, rates = random_cases(kinds, 12, 1)
+    q, tangents, curvatures, rates = random_cases(kinds, 10, 1)
     met = 0
     for k, found in enumerate(speed_ratios_4_each(arm, q, tangents, curvatures, rates)):
         unit = tangents[k] / np.linalg.norm(tangents[k])
@@ -91,22 +91,22 @@ def test_solutions_meet_the_conditions(kinds: str) -> None:
             if found.status == "exact":
                 assert abs(float(change) - rates[k]) < changed
                 met += 1
-    assert met > 12
+    assert met > 10
 
 
 def newton(conic: np.ndarray, cubic: np.ndarray, starts: np.ndarray) -> np.ndarray:
     """Zeros reached from many starts (s, 2) at once, those that converged."""
     x, y = starts.T
-    for _ in range(80):
+    for _ in range(60):
         with np.errstate(all="ignore"):
-            values, slopes = [], []
+            (px, py), values, slopes = ([np.ones_like(v), v, v * v, v * v * v] for v in (x, y)), [], []
             for c in (conic, cubic):
                 terms = list(zip(c, fj.CUBIC, strict=False))
-                values.append(sum(a * x**i * y**j for a, (i, j) in terms))
+                values.append(sum(a * px[i] * py[j] for a, (i, j) in terms))
                 slopes.append(
                     (
-                        sum(a * i * x ** max(i - 1, 0) * y**j for a, (i, j) in terms if i),
-                        sum(a * j * x**i * y ** max(j - 1, 0) for a, (i, j) in terms if j),
+                        sum(a * i * px[i - 1] * py[j] for a, (i, j) in terms if i),
+                        sum(a * j * px[i] * py[j - 1] for a, (i, j) in terms if j),
                     )
                 )
             (fx, fy), (gx, gy) = slopes
@@ -153,15 +153,15 @@ def test_no_solution_is_missed(kinds: str) -> None:
 def test_count_changes_where_the_separation_vanishes() -> None:
     """Along a line of curvature rates the number of solutions changes by two, and only where two of them meet."""
     arm, q, tangent = ARMS["RRRR"], [0.4, 1.1, -0.6, 0.8], [0.6, 0.8]
-    rates = np.linspace(-40.0, 40.0, 161)
+    rates = np.linspace(-40.0, 40.0, 81)
     found = speed_ratios_4_each(arm, q, tangent, 0.3, rates)
     counts = [f.count for f in found]
-    jumps = [k for k in range(160) if counts[k] != counts[k + 1]]
+    jumps = [k for k in range(80) if counts[k] != counts[k + 1]]
     assert jumps
     for k in jumps:
         assert abs(counts[k] - counts[k + 1]) == 2
         low, high = rates[k], rates[k + 1]
-        for _ in range(60):
+        for _ in range(44):
             middle = (low + high) / 2.0
             if speed_ratios_4(arm, q, tangent, 0.3, middle).count == counts[k]:
                 low = middle

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs a0e92cd028d73937d511a3c9a77c3acfab8b8d89ca648875723a4b315b91239a.
+ * Made from templates/kernel.c.j2; inputs dff72fc4384b8e7a0602b315b4b824058098347a9b9386315abdb37e5a87a0a5.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "a0e92cd028d73937d511a3c9a77c3acfab8b8d89ca648875723a4b315b91239a";
+const char crx10ial_kinematics_digest[] = "dff72fc4384b8e7a0602b315b4b824058098347a9b9386315abdb37e5a87a0a5";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a0e92cd028d73937d511a3c9a77c3acfab8b8d89ca648875723a4b315b91239a.
+Made from templates/kernel.py.j2; inputs dff72fc4384b8e7a0602b315b4b824058098347a9b9386315abdb37e5a87a0a5.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -54,11 +54,11 @@ def position(q):
     t15 = 0.71 * c2 - 0.54 * t13 + 0.15 * (s4 * t14) - 0.16 * (c5 * t13 - s5 * (c4 * t14))
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t5 + t6
     position[..., 1] = t11 + t12
     position[..., 2] = t15
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -68,8 +68,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -119,7 +119,7 @@ def pose(q):
     t25 = 0.71 * c2 - 0.54 * t21 + 0.15 * t23 - 0.16 * t24
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = c6 * t6 - s6 * t7
     pose[..., 1] = -(c6 * t7 + t6 * s6)
     pose[..., 2] = -t8
@@ -136,7 +136,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -146,8 +146,8 @@ def jacobian_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -199,7 +199,7 @@ def jacobian_position(q):
     t30 = t29 - t25
 
     # results
-    jacobian = np.empty((*leading, 18), real)
+    jacobian = np.empty((*_leading, 18), _real)
     jacobian[..., 0] = -t9
     jacobian[..., 1] = c1 * t16
     jacobian[..., 2] = -(c1 * t17)
@@ -218,7 +218,7 @@ def jacobian_position(q):
     jacobian[..., 15] = t4 * t30 - t19 * t24
     jacobian[..., 16] = t7 * t28 + t8 * t27
     jacobian[..., 17] = 0.0
-    return jacobian.reshape(leading + (3, 6))
+    return jacobian.reshape(_leading + (3, 6))
 
 
 def jacobian_pose(q):
@@ -228,8 +228,8 @@ def jacobian_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -284,7 +284,7 @@ def jacobian_pose(q):
     t33 = t32 - t27
 
     # results
-    jacobian = np.empty((*leading, 36), real)
+    jacobian = np.empty((*_leading, 36), _real)
     jacobian[..., 0] = -t10
     jacobian[..., 1] = c1 * t18
     jacobian[..., 2] = -(c1 * t19)
@@ -321,7 +321,7 @@ def jacobian_pose(q):
     jacobian[..., 33] = t12
     jacobian[..., 34] = t15
     jacobian[..., 35] = t17
-    return jacobian.reshape(leading + (6, 6))
+    return jacobian.reshape(_leading + (6, 6))
 
 
 def kinematics_position(q):
@@ -332,8 +332,8 @@ def kinematics_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -385,8 +385,8 @@ def kinematics_position(q):
     t30 = t9 - t5
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 18), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 18), _real)
     position[..., 0] = t9
     position[..., 1] = t18
     position[..., 2] = t25
@@ -408,7 +408,7 @@ def kinematics_position(q):
     jacobian[..., 15] = t13 * t30 - t4 * t28
     jacobian[..., 16] = t8 * t16 + t7 * t17
     jacobian[..., 17] = 0.0
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 6))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 6))
 
 
 def kinematics_pose(q):
@@ -419,8 +419,8 @@ def kinematics_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -486,8 +486,8 @@ def kinematics_pose(q):
     t41 = t13 - t11
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 36), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 36), _real)
     pose[..., 0] = c6 * t6 - s6 * t7
     pose[..., 1] = -(c6 * t7 + t6 * s6)
     pose[..., 2] = t9
@@ -540,4 +540,4 @@ def kinematics_pose(q):
     jacobian[..., 33] = t29
     jacobian[..., 34] = t31
     jacobian[..., 35] = t32
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 6))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 6))

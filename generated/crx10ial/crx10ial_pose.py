@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 471d03d9aea3510d5b04f6c791ac54390b80228eef1256161bf0ca6ff483f720.
+Made from templates/kernel.py.j2; inputs d58dd18f48f3a9c0b65fcb137b9bd7e580af977ad223b178dc5234d6bd25fbb1.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -51,9 +51,9 @@ def manipulability_pose(q):
     t15 = t5 * t7 * t8 - s4 * (t7 * t13) + t6 * t14
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.abs(t15)
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -66,8 +66,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -140,10 +140,10 @@ def manipulability_gradient_pose(q):
     t54 = -0.5 / t25 * np.sqrt(t52)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t25
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t25 != 0.0, t32, 0.0)
@@ -163,7 +163,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 3] = np.where(t25 != 0.0, t49 * t54, 0.0)
     inverse_root_gradient[..., 4] = np.where(t25 != 0.0, t51 * t54, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_pose(q):
@@ -173,8 +173,8 @@ def minors_pose(q):
     out  minors[1]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -208,6 +208,6 @@ def minors_pose(q):
     t15 = t5 * t7 * t8 - s4 * (t7 * t13) + t6 * t14
 
     # results
-    minors = np.empty((*leading, 1), real)
+    minors = np.empty((*_leading, 1), _real)
     minors[..., 0] = -t15
-    return minors.reshape(leading + (1,))
+    return minors.reshape(_leading + (1,))

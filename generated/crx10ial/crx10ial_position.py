@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 471d03d9aea3510d5b04f6c791ac54390b80228eef1256161bf0ca6ff483f720.
+Made from templates/kernel.py.j2; inputs d58dd18f48f3a9c0b65fcb137b9bd7e580af977ad223b178dc5234d6bd25fbb1.
 1276 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -80,9 +80,9 @@ def manipulability_position(q):
     t44 = t27 * t33 - t20 * t36 - t14 * t38
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt((t42 + t43 * t43 + t44 * t44))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -95,8 +95,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -227,10 +227,10 @@ def manipulability_gradient_position(q):
     t112 = -0.5 / t49 * np.sqrt(t110)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t49
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t49 != 0.0, t102, 0.0)
@@ -250,7 +250,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 3] = np.where(t49 != 0.0, t108 * t112, 0.0)
     inverse_root_gradient[..., 4] = np.where(t49 != 0.0, t109 * t112, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_position(q):
@@ -260,8 +260,8 @@ def minors_position(q):
     out  minors[20]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -312,7 +312,7 @@ def minors_position(q):
     t32 = t22 * t26 + t20 * t28
 
     # results
-    minors = np.empty((*leading, 20), real)
+    minors = np.empty((*_leading, 20), _real)
     minors[..., 0] = t8 * t14 - t13 * t16
     minors[..., 1] = t8 * t19 + t13 * t21 - t18 * t23
     minors[..., 2] = t8 * t25 - t13 * t27 - t18 * t29
@@ -333,7 +333,7 @@ def minors_position(q):
     minors[..., 17] = 0.0
     minors[..., 18] = 0.0
     minors[..., 19] = 0.0
-    return minors.reshape(leading + (20,))
+    return minors.reshape(_leading + (20,))
 
 
 def null_projector_position(q):
@@ -343,8 +343,8 @@ def null_projector_position(q):
     out  null_projector[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -498,7 +498,7 @@ def null_projector_position(q):
     t135 = 1.0 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t33 * t33, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 36), real)
+    null_projector = np.empty((*_leading, 36), _real)
     null_projector[..., 0] = t61 - np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t107, 0.0), 0.0)
     null_projector[..., 1] = t110
     null_projector[..., 2] = t113
@@ -535,4 +535,4 @@ def null_projector_position(q):
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
     null_projector[..., 35] = 1.0
-    return null_projector.reshape(leading + (6, 6))
+    return null_projector.reshape(_leading + (6, 6))

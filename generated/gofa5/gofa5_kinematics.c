@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 506a25311a913c36eff32b866eb065724199efa1876f6e5f72da74d90168d2f1.
+ * Made from templates/kernel.c.j2; inputs fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "506a25311a913c36eff32b866eb065724199efa1876f6e5f72da74d90168d2f1";
+const char gofa5_kinematics_digest[] = "fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 506a25311a913c36eff32b866eb065724199efa1876f6e5f72da74d90168d2f1.
+ * Made from templates/kernel.h.j2; inputs fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 506a25311a913c36eff32b866eb065724199efa1876f6e5f72da74d90168d2f1.
+Made from templates/kernel.py.j2; inputs fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -55,11 +55,11 @@ def position(q):
     t16 = 0.265 + 0.444 * c2 - 0.47 * t13 + 0.11 * t14 - 0.101 * (c5 * t13 + s5 * t15)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t6 + 0.08 * (c5 * t5 + t3 * s5)
     position[..., 1] = t12 + 0.08 * (c5 * t11 + s5 * t9)
     position[..., 2] = t16 + 0.08 * (c5 * t15 - s5 * t13)
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -69,8 +69,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -120,7 +120,7 @@ def pose(q):
     t25 = 0.265 + 0.444 * c2 - 0.47 * t22 + 0.11 * t19 - 0.101 * t24
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = -(c6 * t6 + s6 * t7)
     pose[..., 1] = t6 * s6 - c6 * t7
     pose[..., 2] = t8
@@ -137,7 +137,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -147,8 +147,8 @@ def jacobian_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -200,7 +200,7 @@ def jacobian_position(q):
     t30 = s1 * c4 - s4 * t25
 
     # results
-    jacobian = np.empty((*leading, 18), real)
+    jacobian = np.empty((*_leading, 18), _real)
     jacobian[..., 0] = -t8
     jacobian[..., 1] = c1 * t15
     jacobian[..., 2] = c1 * t16
@@ -219,7 +219,7 @@ def jacobian_position(q):
     jacobian[..., 15] = t18 * t24 - t4 * t29
     jacobian[..., 16] = -(t19 * t29 + t18 * t30)
     jacobian[..., 17] = 0.0
-    return jacobian.reshape(leading + (3, 6))
+    return jacobian.reshape(_leading + (3, 6))
 
 
 def jacobian_pose(q):
@@ -229,8 +229,8 @@ def jacobian_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -286,7 +286,7 @@ def jacobian_pose(q):
     t34 = -s1
 
     # results
-    jacobian = np.empty((*leading, 36), real)
+    jacobian = np.empty((*_leading, 36), _real)
     jacobian[..., 0] = -t9
     jacobian[..., 1] = c1 * t17
     jacobian[..., 2] = c1 * t18
@@ -323,7 +323,7 @@ def jacobian_pose(q):
     jacobian[..., 33] = -t11
     jacobian[..., 34] = t22
     jacobian[..., 35] = -t15
-    return jacobian.reshape(leading + (6, 6))
+    return jacobian.reshape(_leading + (6, 6))
 
 
 def kinematics_position(q):
@@ -334,8 +334,8 @@ def kinematics_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -387,8 +387,8 @@ def kinematics_position(q):
     t30 = c4 * s1 - t5 * s4
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 18), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 18), _real)
     position[..., 0] = t8
     position[..., 1] = t16
     position[..., 2] = t22
@@ -410,7 +410,7 @@ def kinematics_position(q):
     jacobian[..., 15] = t4 * t26 - t12 * t29
     jacobian[..., 16] = -(t27 * t29 + t26 * t30)
     jacobian[..., 17] = 0.0
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 6))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 6))
 
 
 def kinematics_pose(q):
@@ -421,8 +421,8 @@ def kinematics_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -485,8 +485,8 @@ def kinematics_pose(q):
     t38 = -s1
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 36), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 36), _real)
     pose[..., 0] = -(c6 * t6 + s6 * t7)
     pose[..., 1] = t6 * s6 - c6 * t7
     pose[..., 2] = t8
@@ -539,4 +539,4 @@ def kinematics_pose(q):
     jacobian[..., 33] = -t26
     jacobian[..., 34] = t24
     jacobian[..., 35] = t29
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 6))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 6))

@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d4aad43d68114ce7c5dc7b403d7a838e5d5102e3270fbaa8b06cf58334406575.
+Made from templates/kernel.py.j2; inputs abb1f55f958c3311045e6f34360585b33b22b2db1c7b74870d206b0ed84d4d9b.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -61,9 +61,9 @@ def manipulability_pose(q):
     t25 = t5 * (t18 * t23 - t8 * t24) - t20 * (t1 * t23)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.abs((t22 + t3 * (t25 + t10 * (t1 * t24))))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -76,8 +76,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -181,10 +181,10 @@ def manipulability_gradient_pose(q):
     t85 = -0.5 / t34 * np.sqrt(t83)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t34
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t34 != 0.0, t72, 0.0)
@@ -204,7 +204,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 3] = np.where(t34 != 0.0, t79 * t85, 0.0)
     inverse_root_gradient[..., 4] = np.where(t34 != 0.0, t82 * t85, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_pose(q):
@@ -214,8 +214,8 @@ def minors_pose(q):
     out  minors[1]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -259,6 +259,6 @@ def minors_pose(q):
     t25 = t5 * (t18 * t23 - t8 * t24) - t20 * (t1 * t23)
 
     # results
-    minors = np.empty((*leading, 1), real)
+    minors = np.empty((*_leading, 1), _real)
     minors[..., 0] = -(t22 + t3 * (t25 + t10 * (t1 * t24)))
-    return minors.reshape(leading + (1,))
+    return minors.reshape(_leading + (1,))

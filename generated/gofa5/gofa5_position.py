@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d4aad43d68114ce7c5dc7b403d7a838e5d5102e3270fbaa8b06cf58334406575.
+Made from templates/kernel.py.j2; inputs abb1f55f958c3311045e6f34360585b33b22b2db1c7b74870d206b0ed84d4d9b.
 1337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -80,9 +80,9 @@ def manipulability_position(q):
     t44 = t26 * t33 + t14 * t38 + t21 * t36
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt((t42 + t43 * t43 + t44 * t44))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -95,8 +95,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -229,10 +229,10 @@ def manipulability_gradient_position(q):
     t114 = -0.5 / t45 * np.sqrt(t112)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t45
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t45 != 0.0, t99, 0.0)
@@ -252,7 +252,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 3] = np.where(t45 != 0.0, t108 * t114, 0.0)
     inverse_root_gradient[..., 4] = np.where(t45 != 0.0, t111 * t114, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_position(q):
@@ -262,8 +262,8 @@ def minors_position(q):
     out  minors[20]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -314,7 +314,7 @@ def minors_position(q):
     t32 = t17 * t26 + t21 * t28
 
     # results
-    minors = np.empty((*leading, 20), real)
+    minors = np.empty((*_leading, 20), _real)
     minors[..., 0] = t8 * t12 - t13 * t14
     minors[..., 1] = t18 * t19 - (t13 * t20 + t12 * t22)
     minors[..., 2] = -(t13 * t24 + t12 * t27 + t19 * t29)
@@ -335,7 +335,7 @@ def minors_position(q):
     minors[..., 17] = 0.0
     minors[..., 18] = 0.0
     minors[..., 19] = 0.0
-    return minors.reshape(leading + (20,))
+    return minors.reshape(_leading + (20,))
 
 
 def null_projector_position(q):
@@ -345,8 +345,8 @@ def null_projector_position(q):
     out  null_projector[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -500,7 +500,7 @@ def null_projector_position(q):
     t135 = 1.0 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 36), real)
+    null_projector = np.empty((*_leading, 36), _real)
     null_projector[..., 0] = t61 - np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t107, 0.0), 0.0)
     null_projector[..., 1] = t110
     null_projector[..., 2] = t113
@@ -537,4 +537,4 @@ def null_projector_position(q):
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
     null_projector[..., 35] = 1.0
-    return null_projector.reshape(leading + (6, 6))
+    return null_projector.reshape(_leading + (6, 6))

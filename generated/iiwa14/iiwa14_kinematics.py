@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 653022c9cdcc763b3b54bf0bde19eb0ca118bebb8dfa9f62169288bcd568bc78.
+Made from templates/kernel.py.j2; inputs efd9c121cd3c24fa74815b8968ba241ea4786719ee831cef4c9d9281212f48e2.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -58,11 +58,11 @@ def position(q):
     t16 = 0.36 + 0.42 * c2 + 0.4 * t14 + 0.126 * (c6 * t14 + s6 * t15)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t6
     position[..., 1] = t12
     position[..., 2] = t16
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -72,8 +72,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -129,7 +129,7 @@ def pose(q):
     t28 = c6 * t25 + s6 * t24
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = c7 * t8 - s7 * t9
     pose[..., 1] = -(c7 * t9 + t8 * s7)
     pose[..., 2] = t10
@@ -146,7 +146,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -156,8 +156,8 @@ def jacobian_position(q):
     out  jacobian[3][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -214,7 +214,7 @@ def jacobian_position(q):
     t32 = c5 * t28 + s5 * t27
 
     # results
-    jacobian = np.empty((*leading, 21), real)
+    jacobian = np.empty((*_leading, 21), _real)
     jacobian[..., 0] = -t9
     jacobian[..., 1] = c1 * t17
     jacobian[..., 2] = t1 * t18 - c2 * t19
@@ -236,7 +236,7 @@ def jacobian_position(q):
     jacobian[..., 18] = t8 * t25 - t4 * t29
     jacobian[..., 19] = -(t8 * t32 + t20 * t29)
     jacobian[..., 20] = 0.0
-    return jacobian.reshape(leading + (3, 7))
+    return jacobian.reshape(_leading + (3, 7))
 
 
 def jacobian_pose(q):
@@ -246,8 +246,8 @@ def jacobian_pose(q):
     out  jacobian[6][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -307,7 +307,7 @@ def jacobian_pose(q):
     t35 = c5 * t30 + s5 * t29
 
     # results
-    jacobian = np.empty((*leading, 42), real)
+    jacobian = np.empty((*_leading, 42), _real)
     jacobian[..., 0] = -t10
     jacobian[..., 1] = c1 * t19
     jacobian[..., 2] = t1 * t20 - c2 * t21
@@ -350,7 +350,7 @@ def jacobian_pose(q):
     jacobian[..., 39] = t13
     jacobian[..., 40] = t23
     jacobian[..., 41] = t16
-    return jacobian.reshape(leading + (6, 7))
+    return jacobian.reshape(_leading + (6, 7))
 
 
 def kinematics_position(q):
@@ -361,8 +361,8 @@ def kinematics_position(q):
     out  jacobian[3][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -419,8 +419,8 @@ def kinematics_position(q):
     t32 = c5 * t7 + t6 * s5
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 21), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 21), _real)
     position[..., 0] = t9
     position[..., 1] = t18
     position[..., 2] = t25
@@ -445,7 +445,7 @@ def kinematics_position(q):
     jacobian[..., 18] = t4 * t17 - t8 * t13
     jacobian[..., 19] = -(t17 * t32 + t8 * t29)
     jacobian[..., 20] = 0.0
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 7))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 7))
 
 
 def kinematics_pose(q):
@@ -456,8 +456,8 @@ def kinematics_pose(q):
     out  jacobian[6][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -526,8 +526,8 @@ def kinematics_pose(q):
     t41 = t11 + t13
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 42), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 42), _real)
     pose[..., 0] = c7 * t8 - s7 * t9
     pose[..., 1] = -(c7 * t9 + t8 * s7)
     pose[..., 2] = t10
@@ -586,4 +586,4 @@ def kinematics_pose(q):
     jacobian[..., 39] = t31
     jacobian[..., 40] = t33
     jacobian[..., 41] = t34
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 7))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 7))

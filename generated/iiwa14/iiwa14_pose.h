@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 5b11d43824bb1cce6a5e5d97a1560319ea921b2f53c30760dde4453572953761.
+ * Made from templates/kernel.h.j2; inputs 57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

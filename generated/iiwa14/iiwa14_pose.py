@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5b11d43824bb1cce6a5e5d97a1560319ea921b2f53c30760dde4453572953761.
+Made from templates/kernel.py.j2; inputs 57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd.
 2462 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -85,9 +85,9 @@ def manipulability_pose(q):
     t46 = np.sqrt((t45 + t36 * t36 + t30 * t30 + t43 * t43))
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = t46
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -100,8 +100,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -237,10 +237,10 @@ def manipulability_gradient_pose(q):
     t114 = -0.5 / t49 * np.sqrt(t112)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 7), real)
-    inverse_gradient = np.empty((*leading, 7), real)
-    inverse_root_gradient = np.empty((*leading, 7), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 7), _real)
+    inverse_gradient = np.empty((*_leading, 7), _real)
+    inverse_root_gradient = np.empty((*_leading, 7), _real)
     manipulability[..., 0] = t49
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t49 != 0.0, t57, 0.0)
@@ -263,7 +263,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 4] = np.where(t49 != 0.0, t110 * t114, 0.0)
     inverse_root_gradient[..., 5] = np.where(t49 != 0.0, t111 * t114, 0.0)
     inverse_root_gradient[..., 6] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (7,)), inverse_gradient.reshape(leading + (7,)), inverse_root_gradient.reshape(leading + (7,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (7,)), inverse_gradient.reshape(_leading + (7,)), inverse_root_gradient.reshape(_leading + (7,))
 
 
 def minors_pose(q):
@@ -273,8 +273,8 @@ def minors_pose(q):
     out  minors[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -340,7 +340,7 @@ def minors_pose(q):
     t44 = c3 * t41 - t1 * t39 - t23 * t24 - t8 * t36
 
     # results
-    minors = np.empty((*leading, 7), real)
+    minors = np.empty((*_leading, 7), _real)
     minors[..., 0] = -t23
     minors[..., 1] = -t36
     minors[..., 2] = -t39
@@ -348,7 +348,7 @@ def minors_pose(q):
     minors[..., 4] = t43
     minors[..., 5] = -t44
     minors[..., 6] = -t42
-    return minors.reshape(leading + (7,))
+    return minors.reshape(_leading + (7,))
 
 
 def null_vector_pose(q):
@@ -358,8 +358,8 @@ def null_vector_pose(q):
     out  null_vector[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -425,7 +425,7 @@ def null_vector_pose(q):
     t44 = t38 * c2 + c4 * t40 + t15 * t41 + t27 * t42
 
     # results
-    null_vector = np.empty((*leading, 7), real)
+    null_vector = np.empty((*_leading, 7), _real)
     null_vector[..., 0] = -t38
     null_vector[..., 1] = t43
     null_vector[..., 2] = t44
@@ -433,7 +433,7 @@ def null_vector_pose(q):
     null_vector[..., 4] = -t40
     null_vector[..., 5] = t42
     null_vector[..., 6] = -t41
-    return null_vector.reshape(leading + (7,))
+    return null_vector.reshape(_leading + (7,))
 
 
 def null_projector_pose(q):
@@ -443,8 +443,8 @@ def null_projector_pose(q):
     out  null_projector[7][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -817,7 +817,7 @@ def null_projector_pose(q):
     t351 = t350 - np.where(t202 != 0.0, np.where(t202 != 0.0, t231 * t231, 0.0), 0.0) - np.where(t283 != 0.0, np.where(t283 != 0.0, t300 * t300, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 49), real)
+    null_projector = np.empty((*_leading, 49), _real)
     null_projector[..., 0] = t204 - np.where(t283 != 0.0, np.where(t283 != 0.0, t284 * t284, 0.0), 0.0)
     null_projector[..., 1] = t286
     null_projector[..., 2] = t289
@@ -867,4 +867,4 @@ def null_projector_pose(q):
     null_projector[..., 46] = t341
     null_projector[..., 47] = t348
     null_projector[..., 48] = t351
-    return null_projector.reshape(leading + (7, 7))
+    return null_projector.reshape(_leading + (7, 7))

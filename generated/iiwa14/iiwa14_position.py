@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5b11d43824bb1cce6a5e5d97a1560319ea921b2f53c30760dde4453572953761.
+Made from templates/kernel.py.j2; inputs 57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd.
 1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -109,9 +109,9 @@ def manipulability_position(q):
     t70 = t65 + t66 * t66 + t67 * t67 + t68 * t68 + t69 * t69
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt(t70)
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -124,8 +124,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -310,10 +310,10 @@ def manipulability_gradient_position(q):
     t163 = -0.5 / t74 * np.sqrt(t161)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 7), real)
-    inverse_gradient = np.empty((*leading, 7), real)
-    inverse_root_gradient = np.empty((*leading, 7), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 7), _real)
+    inverse_gradient = np.empty((*_leading, 7), _real)
+    inverse_root_gradient = np.empty((*_leading, 7), _real)
     manipulability[..., 0] = t74
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t74 != 0.0, t96, 0.0)
@@ -336,7 +336,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 4] = np.where(t74 != 0.0, t152 * t163, 0.0)
     inverse_root_gradient[..., 5] = np.where(t74 != 0.0, t160 * t163, 0.0)
     inverse_root_gradient[..., 6] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (7,)), inverse_gradient.reshape(leading + (7,)), inverse_root_gradient.reshape(leading + (7,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (7,)), inverse_gradient.reshape(_leading + (7,)), inverse_root_gradient.reshape(_leading + (7,))
 
 
 def minors_position(q):
@@ -346,8 +346,8 @@ def minors_position(q):
     out  minors[35]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -414,7 +414,7 @@ def minors_position(q):
     t45 = 0.126 * t37
 
     # results
-    minors = np.empty((*leading, 35), real)
+    minors = np.empty((*_leading, 35), _real)
     minors[..., 0] = -(t26 * t28 + t31 * t32 - t33 * t34)
     minors[..., 1] = -(t26 * t35 + t32 * t38 - t34 * t39)
     minors[..., 2] = -(t26 * t40)
@@ -450,7 +450,7 @@ def minors_position(q):
     minors[..., 32] = 0.0
     minors[..., 33] = 0.0
     minors[..., 34] = 0.0
-    return minors.reshape(leading + (35,))
+    return minors.reshape(_leading + (35,))
 
 
 def null_projector_position(q):
@@ -460,8 +460,8 @@ def null_projector_position(q):
     out  null_projector[7][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -632,7 +632,7 @@ def null_projector_position(q):
     t149 = 1.0 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 49), real)
+    null_projector = np.empty((*_leading, 49), _real)
     null_projector[..., 0] = t68 - np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t115, 0.0), 0.0)
     null_projector[..., 1] = t118
     null_projector[..., 2] = t121
@@ -682,4 +682,4 @@ def null_projector_position(q):
     null_projector[..., 46] = 0.0
     null_projector[..., 47] = 0.0
     null_projector[..., 48] = 1.0
-    return null_projector.reshape(leading + (7, 7))
+    return null_projector.reshape(_leading + (7, 7))

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs f9f15022e3778ede56626c1513fb503104c6175770d7d6472b525ca0ca800107.
+ * Made from templates/kernel.c.j2; inputs 931b26cdd25defcb15194af5522d018f1673a3a8bcd4f336c5e6066ff31f0857.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "f9f15022e3778ede56626c1513fb503104c6175770d7d6472b525ca0ca800107";
+const char jaco2_kinematics_digest[] = "931b26cdd25defcb15194af5522d018f1673a3a8bcd4f336c5e6066ff31f0857";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs f9f15022e3778ede56626c1513fb503104c6175770d7d6472b525ca0ca800107.
+ * Made from templates/kernel.h.j2; inputs 931b26cdd25defcb15194af5522d018f1673a3a8bcd4f336c5e6066ff31f0857.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

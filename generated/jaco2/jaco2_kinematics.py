@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f9f15022e3778ede56626c1513fb503104c6175770d7d6472b525ca0ca800107.
+Made from templates/kernel.py.j2; inputs 931b26cdd25defcb15194af5522d018f1673a3a8bcd4f336c5e6066ff31f0857.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -61,11 +61,11 @@ def position(q):
     t22 = t20 + 0.17561406460551018 * t21 - 0.10139082747347566 * (0.8660254037844386 * t19 - -0.5000000000000001 * t17)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t8
     position[..., 1] = t16
     position[..., 2] = t22
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -75,8 +75,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -135,7 +135,7 @@ def pose(q):
     t34 = 0.2755 + 0.41 * s2 - 0.2500816549469513 * t27 - 0.04278165494695127 * t27 - 0.07409999999999999 * t28
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = c6 * t8 + s6 * t11
     pose[..., 1] = c6 * t11 - t8 * s6
     pose[..., 2] = 0.5000000000000001 * t9 + 0.8660254037844386 * t10
@@ -152,7 +152,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -162,8 +162,8 @@ def jacobian_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -224,7 +224,7 @@ def jacobian_position(q):
     t39 = t37 - t34
 
     # results
-    jacobian = np.empty((*leading, 18), real)
+    jacobian = np.empty((*_leading, 18), _real)
     jacobian[..., 0] = -t11
     jacobian[..., 1] = -(c1 * t21)
     jacobian[..., 2] = c1 * t22
@@ -243,7 +243,7 @@ def jacobian_position(q):
     jacobian[..., 15] = t4 * t38 - t23 * t30
     jacobian[..., 16] = t26 * t36 - t10 * t39
     jacobian[..., 17] = 0.0
-    return jacobian.reshape(leading + (3, 6))
+    return jacobian.reshape(_leading + (3, 6))
 
 
 def jacobian_pose(q):
@@ -253,8 +253,8 @@ def jacobian_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -315,7 +315,7 @@ def jacobian_pose(q):
     t39 = t37 - t34
 
     # results
-    jacobian = np.empty((*leading, 36), real)
+    jacobian = np.empty((*_leading, 36), _real)
     jacobian[..., 0] = -t11
     jacobian[..., 1] = -(c1 * t21)
     jacobian[..., 2] = c1 * t22
@@ -352,7 +352,7 @@ def jacobian_pose(q):
     jacobian[..., 33] = t13
     jacobian[..., 34] = t19
     jacobian[..., 35] = 0.5000000000000001 * t19 - 0.8660254037844386 * t18
-    return jacobian.reshape(leading + (6, 6))
+    return jacobian.reshape(_leading + (6, 6))
 
 
 def kinematics_position(q):
@@ -363,8 +363,8 @@ def kinematics_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -425,8 +425,8 @@ def kinematics_position(q):
     t39 = t11 - t8
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 18), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 18), _real)
     position[..., 0] = t11
     position[..., 1] = t22
     position[..., 2] = t31
@@ -448,7 +448,7 @@ def kinematics_position(q):
     jacobian[..., 15] = t15 * t38 - t4 * t34
     jacobian[..., 16] = t10 * t37 - t21 * t39
     jacobian[..., 17] = 0.0
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 6))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 6))
 
 
 def kinematics_pose(q):
@@ -459,8 +459,8 @@ def kinematics_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -539,8 +539,8 @@ def kinematics_pose(q):
     t54 = t16 - t15
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 36), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 36), _real)
     pose[..., 0] = c6 * t8 + s6 * t11
     pose[..., 1] = c6 * t11 - t8 * s6
     pose[..., 2] = t12
@@ -593,4 +593,4 @@ def kinematics_pose(q):
     jacobian[..., 33] = t35
     jacobian[..., 34] = t39
     jacobian[..., 35] = t42
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 6))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 6))

@@ -1,5 +1,5 @@
 /* jaco2_pose.h: manipulability (pose) of jaco2.
- * Made from templates/kernel.h.j2; inputs 05b029c5282ab44e9701a71d8b4563a0e32aaef32dbb0aea12af1d58bc818707.
+ * Made from templates/kernel.h.j2; inputs dfe296b5761a527b44b678e42126a81e251d5ab4c7c5afdae576a7d4cb4303b3.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

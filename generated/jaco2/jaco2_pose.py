@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 05b029c5282ab44e9701a71d8b4563a0e32aaef32dbb0aea12af1d58bc818707.
+Made from templates/kernel.py.j2; inputs dfe296b5761a527b44b678e42126a81e251d5ab4c7c5afdae576a7d4cb4303b3.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -68,9 +68,9 @@ def manipulability_pose(q):
     t32 = t1 * t21 * (t16 * t22 - t11 * t23) - t30 - t14 * (t31 - t21 * (t8 * t23 - t6 * t22))
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.abs(t32)
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -83,8 +83,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -204,10 +204,10 @@ def manipulability_gradient_pose(q):
     t101 = -0.5 / t46 * np.sqrt(t99)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t46
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t46 != 0.0, t90, 0.0)
@@ -227,7 +227,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 3] = np.where(t46 != 0.0, t97 * t101, 0.0)
     inverse_root_gradient[..., 4] = np.where(t46 != 0.0, t98 * t101, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_pose(q):
@@ -237,8 +237,8 @@ def minors_pose(q):
     out  minors[1]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -289,6 +289,6 @@ def minors_pose(q):
     t32 = t1 * t21 * (t16 * t22 - t11 * t23) - t30 - t14 * (t31 - t21 * (t8 * t23 - t6 * t22))
 
     # results
-    minors = np.empty((*leading, 1), real)
+    minors = np.empty((*_leading, 1), _real)
     minors[..., 0] = -t32
-    return minors.reshape(leading + (1,))
+    return minors.reshape(_leading + (1,))

@@ -1,6 +1,6 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 05b029c5282ab44e9701a71d8b4563a0e32aaef32dbb0aea12af1d58bc818707.
+Made from templates/kernel.py.j2; inputs dfe296b5761a527b44b678e42126a81e251d5ab4c7c5afdae576a7d4cb4303b3.
 1419 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -88,9 +88,9 @@ def manipulability_position(q):
     t52 = t34 * t41 + t18 * t46 + t27 * t44
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt((t50 + t51 * t51 + t52 * t52))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -103,8 +103,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -253,10 +253,10 @@ def manipulability_gradient_position(q):
     t130 = -0.5 / t58 * np.sqrt(t128)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t58
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t58 != 0.0, t118, 0.0)
@@ -276,7 +276,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 3] = np.where(t58 != 0.0, t126 * t130, 0.0)
     inverse_root_gradient[..., 4] = np.where(t58 != 0.0, -(t127 * t130), 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_position(q):
@@ -286,8 +286,8 @@ def minors_position(q):
     out  minors[20]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -346,7 +346,7 @@ def minors_position(q):
     t40 = t21 * t34 + t27 * t36
 
     # results
-    minors = np.empty((*leading, 20), real)
+    minors = np.empty((*_leading, 20), _real)
     minors[..., 0] = t10 * t18 - t17 * t20
     minors[..., 1] = t22 * t24 - (t10 * t26 + t17 * t28)
     minors[..., 2] = t10 * t32 + t17 * t35 + t24 * t37
@@ -367,7 +367,7 @@ def minors_position(q):
     minors[..., 17] = 0.0
     minors[..., 18] = 0.0
     minors[..., 19] = 0.0
-    return minors.reshape(leading + (20,))
+    return minors.reshape(_leading + (20,))
 
 
 def null_projector_position(q):
@@ -377,8 +377,8 @@ def null_projector_position(q):
     out  null_projector[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -538,7 +538,7 @@ def null_projector_position(q):
     t141 = 1.0 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 36), real)
+    null_projector = np.empty((*_leading, 36), _real)
     null_projector[..., 0] = t68 - np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t113, 0.0), 0.0)
     null_projector[..., 1] = t116
     null_projector[..., 2] = t119
@@ -575,4 +575,4 @@ def null_projector_position(q):
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
     null_projector[..., 35] = 1.0
-    return null_projector.reshape(leading + (6, 6))
+    return null_projector.reshape(_leading + (6, 6))

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs df124c71276af8473fe076f57ddcdf57f933276e78c14d274ae1e53243552f35.
+ * Made from templates/kernel.c.j2; inputs cb7f682c75587bb4eaa6c1bef918c215e24166aad5994b2042c08e48eb285c93.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "df124c71276af8473fe076f57ddcdf57f933276e78c14d274ae1e53243552f35";
+const char motion_rest_to_rest_digest[] = "cb7f682c75587bb4eaa6c1bef918c215e24166aad5994b2042c08e48eb285c93";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs df124c71276af8473fe076f57ddcdf57f933276e78c14d274ae1e53243552f35.
+ * Made from templates/kernel.h.j2; inputs cb7f682c75587bb4eaa6c1bef918c215e24166aad5994b2042c08e48eb285c93.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

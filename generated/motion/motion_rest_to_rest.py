@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs df124c71276af8473fe076f57ddcdf57f933276e78c14d274ae1e53243552f35.
+Made from templates/kernel.py.j2; inputs cb7f682c75587bb4eaa6c1bef918c215e24166aad5994b2042c08e48eb285c93.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def rest_to_rest(move):
     out  profile[4]
     """
     move = np.asarray(move)
-    leading = np.broadcast_shapes(move.shape[:-1])
-    real = np.result_type(move, np.float32)
+    _leading = np.broadcast_shapes(move.shape[:-1])
+    _real = np.result_type(move, np.float32)
 
     # inputs, sines and cosines
     velocity = move[..., 1]
@@ -30,12 +30,12 @@ def rest_to_rest(move):
     t3 = np.maximum(0.0, distance / velocity - velocity / acceleration)
 
     # results
-    profile = np.empty((*leading, 4), real)
+    profile = np.empty((*_leading, 4), _real)
     profile[..., 0] = t1
     profile[..., 1] = t2
     profile[..., 2] = t3
     profile[..., 3] = t3 + (t2 + t2)
-    return profile.reshape(leading + (4,))
+    return profile.reshape(_leading + (4,))
 
 
 def rest_to_rest_in(move):
@@ -45,8 +45,8 @@ def rest_to_rest_in(move):
     out  profile[4]
     """
     move = np.asarray(move)
-    leading = np.broadcast_shapes(move.shape[:-1])
-    real = np.result_type(move, np.float32)
+    _leading = np.broadcast_shapes(move.shape[:-1])
+    _real = np.result_type(move, np.float32)
 
     # inputs, sines and cosines
     duration = move[..., 2]
@@ -61,12 +61,12 @@ def rest_to_rest_in(move):
     t5 = distance / t4
 
     # results
-    profile = np.empty((*leading, 4), real)
+    profile = np.empty((*_leading, 4), _real)
     profile[..., 0] = np.where(t4 != 0.0, t5, 0.0)
     profile[..., 1] = np.where(t4 != 0.0, t5 / acceleration, 0.0)
     profile[..., 2] = t3
     profile[..., 3] = duration
-    return profile.reshape(leading + (4,))
+    return profile.reshape(_leading + (4,))
 
 
 def rest_to_rest_state(instant):
@@ -76,8 +76,8 @@ def rest_to_rest_state(instant):
     out  state[2]
     """
     instant = np.asarray(instant)
-    leading = np.broadcast_shapes(instant.shape[:-1])
-    real = np.result_type(instant, np.float32)
+    _leading = np.broadcast_shapes(instant.shape[:-1])
+    _real = np.result_type(instant, np.float32)
 
     # inputs, sines and cosines
     ramp = instant[..., 1]
@@ -92,7 +92,7 @@ def rest_to_rest_state(instant):
     t4 = np.maximum(0.0, np.minimum(ramp, time))
 
     # results
-    state = np.empty((*leading, 2), real)
+    state = np.empty((*_leading, 2), _real)
     state[..., 0] = t3 + np.where(ramp != 0.0, t4 * (0.5 * (t2 * t4)), 0.0)
     state[..., 1] = np.where(ramp != 0.0, t2 * (t4 - t1), 0.0)
-    return state.reshape(leading + (2,))
+    return state.reshape(_leading + (2,))

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs b673e00623f1c378ec031a5c8d5744025e8b21aa17e33d386db965be3e7ba2ae.
+ * Made from templates/kernel.h.j2; inputs ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b673e00623f1c378ec031a5c8d5744025e8b21aa17e33d386db965be3e7ba2ae.
+Made from templates/kernel.py.j2; inputs ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -43,11 +43,11 @@ def position(q, parameters):
     t4 = c1 * r2 + d2 * s1 + d3 * t3 + d4 * (c1 * s3 + c3 * t3)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t2
     position[..., 1] = t4
     position[..., 2] = -(d3 * s2 + d4 * (c3 * s2))
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q, parameters):
@@ -59,8 +59,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -87,7 +87,7 @@ def pose(q, parameters):
     t7 = c3 * s2
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = t2
     pose[..., 1] = -(c3 * s1 + t1 * s3)
     pose[..., 2] = c1 * s2
@@ -104,7 +104,7 @@ def pose(q, parameters):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q, parameters):
@@ -116,8 +116,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -149,7 +149,7 @@ def jacobian_position(q, parameters):
     t12 = c1 * s2
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = -t4
     jacobian[..., 1] = -(c1 * t6)
     jacobian[..., 2] = -(c2 * t3 + t5 * t7)
@@ -159,7 +159,7 @@ def jacobian_position(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = -(c1 * (t11 - t8) + s1 * (t4 - t1))
     jacobian[..., 8] = t3 * t12 - t7 * t10
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -171,8 +171,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -204,7 +204,7 @@ def jacobian_pose(q, parameters):
     t12 = c1 * s2
 
     # results
-    jacobian = np.empty((*leading, 18), real)
+    jacobian = np.empty((*_leading, 18), _real)
     jacobian[..., 0] = -t4
     jacobian[..., 1] = -(c1 * t6)
     jacobian[..., 2] = -(c2 * t3 + t5 * t7)
@@ -223,7 +223,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 15] = 1.0
     jacobian[..., 16] = 0.0
     jacobian[..., 17] = c2
-    return jacobian.reshape(leading + (6, 3))
+    return jacobian.reshape(_leading + (6, 3))
 
 
 def kinematics_position(q, parameters):
@@ -236,8 +236,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -269,8 +269,8 @@ def kinematics_position(q, parameters):
     t12 = c1 * s2
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 9), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     position[..., 0] = t4
     position[..., 1] = t8
     position[..., 2] = -t10
@@ -283,7 +283,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = -(c1 * (t4 - t1) + s1 * (t8 - t5))
     jacobian[..., 8] = t7 * t12 - t3 * t11
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 3))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -296,8 +296,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -332,8 +332,8 @@ def kinematics_pose(q, parameters):
     t15 = s2 * d3 + t14
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 18), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 18), _real)
     pose[..., 0] = t2
     pose[..., 1] = -(c3 * s1 + t1 * s3)
     pose[..., 2] = t3
@@ -368,4 +368,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 15] = 1.0
     jacobian[..., 16] = 0.0
     jacobian[..., 17] = c2
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 3))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 3))

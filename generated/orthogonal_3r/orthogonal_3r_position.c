@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs b673e00623f1c378ec031a5c8d5744025e8b21aa17e33d386db965be3e7ba2ae.
+ * Made from templates/kernel.c.j2; inputs ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "b673e00623f1c378ec031a5c8d5744025e8b21aa17e33d386db965be3e7ba2ae";
+const char orthogonal_3r_position_digest[] = "ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b673e00623f1c378ec031a5c8d5744025e8b21aa17e33d386db965be3e7ba2ae.
+Made from templates/kernel.py.j2; inputs ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def manipulability_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     d4 = parameters[..., 2]
@@ -37,9 +37,9 @@ def manipulability_position(q, parameters):
     t2 = c3 * c2 * r2 - d2 * s3 - s3 * (d3 * c2)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt((d4 * d4 * (t1 * t1) * (t2 * t2)))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q, parameters):
@@ -54,8 +54,8 @@ def manipulability_gradient_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     d4 = parameters[..., 2]
@@ -85,10 +85,10 @@ def manipulability_gradient_position(q, parameters):
     t13 = -0.5 / t5 * np.sqrt(t11)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 3), real)
-    inverse_gradient = np.empty((*leading, 3), real)
-    inverse_root_gradient = np.empty((*leading, 3), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 3), _real)
+    inverse_gradient = np.empty((*_leading, 3), _real)
+    inverse_root_gradient = np.empty((*_leading, 3), _real)
     manipulability[..., 0] = t5
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t5 != 0.0, -t9, 0.0)
@@ -99,7 +99,7 @@ def manipulability_gradient_position(q, parameters):
     inverse_root_gradient[..., 0] = 0.0
     inverse_root_gradient[..., 1] = np.where(t5 != 0.0, -(t9 * t13), 0.0)
     inverse_root_gradient[..., 2] = np.where(t5 != 0.0, -(t10 * t13), 0.0)
-    return manipulability.reshape(leading), gradient.reshape(leading + (3,)), inverse_gradient.reshape(leading + (3,)), inverse_root_gradient.reshape(leading + (3,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (3,)), inverse_gradient.reshape(_leading + (3,)), inverse_root_gradient.reshape(_leading + (3,))
 
 
 def minors_position(q, parameters):
@@ -111,8 +111,8 @@ def minors_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     d4 = parameters[..., 2]
@@ -129,6 +129,6 @@ def minors_position(q, parameters):
     t1 = c3 * c2 * r2 - d2 * s3 - s3 * (d3 * c2)
 
     # results
-    minors = np.empty((*leading, 1), real)
+    minors = np.empty((*_leading, 1), _real)
     minors[..., 0] = -(d4 * (d3 + d4 * c3) * t1)
-    return minors.reshape(leading + (1,))
+    return minors.reshape(_leading + (1,))

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 5b758a0bb537ddcc5f066c11def70b3421990a8d3e348d65589a4f8b544d601e.
+ * Made from templates/kernel.h.j2; inputs 58ee3e7dd73424132313fbf4741423553047ccecbca5ba3e89ac0353ffb1f6d9.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5b758a0bb537ddcc5f066c11def70b3421990a8d3e348d65589a4f8b544d601e.
+Made from templates/kernel.py.j2; inputs 58ee3e7dd73424132313fbf4741423553047ccecbca5ba3e89ac0353ffb1f6d9.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -64,11 +64,11 @@ def position(q):
     t22 = t20 + 0.088 * (c6 * t21 + s6 * t18) - 0.107 * (c6 * t18 - s6 * t21)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t8
     position[..., 1] = t16
     position[..., 2] = t22
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -78,8 +78,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -138,7 +138,7 @@ def pose(q):
     t31 = 0.333 + 0.316 * c2 - 0.0825 * t23 + 0.384 * t27 - 0.0825 * t24
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = c7 * t8 + s7 * t9
     pose[..., 1] = c7 * t9 - t8 * s7
     pose[..., 2] = -t10
@@ -155,7 +155,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -165,8 +165,8 @@ def jacobian_position(q):
     out  jacobian[3][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -244,7 +244,7 @@ def jacobian_position(q):
     t53 = t48 - t46
 
     # results
-    jacobian = np.empty((*leading, 21), real)
+    jacobian = np.empty((*_leading, 21), _real)
     jacobian[..., 0] = -t13
     jacobian[..., 1] = c1 * t25
     jacobian[..., 2] = t3 * t26 - c2 * t27
@@ -266,7 +266,7 @@ def jacobian_position(q):
     jacobian[..., 18] = t31 * t41 - t6 * t51
     jacobian[..., 19] = t33 * t51 + t31 * t52
     jacobian[..., 20] = t12 * t53 - t34 * t47
-    return jacobian.reshape(leading + (3, 7))
+    return jacobian.reshape(_leading + (3, 7))
 
 
 def jacobian_pose(q):
@@ -276,8 +276,8 @@ def jacobian_pose(q):
     out  jacobian[6][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -355,7 +355,7 @@ def jacobian_pose(q):
     t53 = t48 - t46
 
     # results
-    jacobian = np.empty((*leading, 42), real)
+    jacobian = np.empty((*_leading, 42), _real)
     jacobian[..., 0] = -t13
     jacobian[..., 1] = c1 * t25
     jacobian[..., 2] = t3 * t26 - c2 * t27
@@ -398,7 +398,7 @@ def jacobian_pose(q):
     jacobian[..., 39] = t17
     jacobian[..., 40] = -t32
     jacobian[..., 41] = -t23
-    return jacobian.reshape(leading + (6, 7))
+    return jacobian.reshape(_leading + (6, 7))
 
 
 def kinematics_position(q):
@@ -409,8 +409,8 @@ def kinematics_position(q):
     out  jacobian[3][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -488,8 +488,8 @@ def kinematics_position(q):
     t53 = t13 - t11
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 21), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 21), _real)
     position[..., 0] = t13
     position[..., 1] = t26
     position[..., 2] = t37
@@ -514,7 +514,7 @@ def kinematics_position(q):
     jacobian[..., 18] = t6 * t44 - t19 * t51
     jacobian[..., 19] = t46 * t51 + t44 * t52
     jacobian[..., 20] = t25 * t53 - t12 * t47
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 7))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 7))
 
 
 def kinematics_pose(q):
@@ -525,8 +525,8 @@ def kinematics_pose(q):
     out  jacobian[6][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -613,8 +613,8 @@ def kinematics_pose(q):
     t59 = t16 - t15
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 42), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 42), _real)
     pose[..., 0] = c7 * t8 + s7 * t9
     pose[..., 1] = c7 * t9 - t8 * s7
     pose[..., 2] = t11
@@ -673,4 +673,4 @@ def kinematics_pose(q):
     jacobian[..., 39] = t37
     jacobian[..., 40] = -t39
     jacobian[..., 41] = t41
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 7))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 7))

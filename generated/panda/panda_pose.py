@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7f486b5f56e4c2b0c5be0e7d4d52ccd0d89a41cfd0ab881e0a317f765dfc514e.
+Made from templates/kernel.py.j2; inputs 9cec198ecca95e2bc1bdaccc7549aca2fdc748700ef6091d5f08c2bd8b91c34c.
 2645 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -91,9 +91,9 @@ def manipulability_pose(q):
     t52 = np.sqrt((t51 + t45 * t45 + t35 * t35 + t49 * t49))
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = t52
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -106,8 +106,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -252,10 +252,10 @@ def manipulability_gradient_pose(q):
     t123 = -0.5 / t52 * np.sqrt(t121)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 7), real)
-    inverse_gradient = np.empty((*leading, 7), real)
-    inverse_root_gradient = np.empty((*leading, 7), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 7), _real)
+    inverse_gradient = np.empty((*_leading, 7), _real)
+    inverse_root_gradient = np.empty((*_leading, 7), _real)
     manipulability[..., 0] = t52
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t52 != 0.0, t60, 0.0)
@@ -278,7 +278,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 4] = np.where(t52 != 0.0, t117 * t123, 0.0)
     inverse_root_gradient[..., 5] = np.where(t52 != 0.0, t120 * t123, 0.0)
     inverse_root_gradient[..., 6] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (7,)), inverse_gradient.reshape(leading + (7,)), inverse_root_gradient.reshape(leading + (7,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (7,)), inverse_gradient.reshape(_leading + (7,)), inverse_root_gradient.reshape(_leading + (7,))
 
 
 def minors_pose(q):
@@ -288,8 +288,8 @@ def minors_pose(q):
     out  minors[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -361,7 +361,7 @@ def minors_pose(q):
     t50 = c3 * t47 + t11 * t42 - t2 * t45 + t26 * t32
 
     # results
-    minors = np.empty((*leading, 7), real)
+    minors = np.empty((*_leading, 7), _real)
     minors[..., 0] = t26
     minors[..., 1] = t42
     minors[..., 2] = t45
@@ -369,7 +369,7 @@ def minors_pose(q):
     minors[..., 4] = t49
     minors[..., 5] = t50
     minors[..., 6] = t48
-    return minors.reshape(leading + (7,))
+    return minors.reshape(_leading + (7,))
 
 
 def null_vector_pose(q):
@@ -379,8 +379,8 @@ def null_vector_pose(q):
     out  null_vector[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -452,7 +452,7 @@ def null_vector_pose(q):
     t50 = t15 * t46 - t44 * c2 - c4 * t47 - t34 * t48
 
     # results
-    null_vector = np.empty((*leading, 7), real)
+    null_vector = np.empty((*_leading, 7), _real)
     null_vector[..., 0] = t44
     null_vector[..., 1] = -t49
     null_vector[..., 2] = t50
@@ -460,7 +460,7 @@ def null_vector_pose(q):
     null_vector[..., 4] = t47
     null_vector[..., 5] = -t46
     null_vector[..., 6] = t48
-    return null_vector.reshape(leading + (7,))
+    return null_vector.reshape(_leading + (7,))
 
 
 def null_projector_pose(q):
@@ -470,8 +470,8 @@ def null_projector_pose(q):
     out  null_projector[7][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -843,7 +843,7 @@ def null_projector_pose(q):
     t350 = t349 - np.where(t203 != 0.0, np.where(t203 != 0.0, t225 * t225, 0.0), 0.0) - np.where(t282 != 0.0, np.where(t282 != 0.0, t299 * t299, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 49), real)
+    null_projector = np.empty((*_leading, 49), _real)
     null_projector[..., 0] = t205 - np.where(t282 != 0.0, np.where(t282 != 0.0, t283 * t283, 0.0), 0.0)
     null_projector[..., 1] = t285
     null_projector[..., 2] = t288
@@ -893,4 +893,4 @@ def null_projector_pose(q):
     null_projector[..., 46] = t340
     null_projector[..., 47] = t347
     null_projector[..., 48] = t350
-    return null_projector.reshape(leading + (7, 7))
+    return null_projector.reshape(_leading + (7, 7))

@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 7f486b5f56e4c2b0c5be0e7d4d52ccd0d89a41cfd0ab881e0a317f765dfc514e.
+ * Made from templates/kernel.h.j2; inputs 9cec198ecca95e2bc1bdaccc7549aca2fdc748700ef6091d5f08c2bd8b91c34c.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7f486b5f56e4c2b0c5be0e7d4d52ccd0d89a41cfd0ab881e0a317f765dfc514e.
+Made from templates/kernel.py.j2; inputs 9cec198ecca95e2bc1bdaccc7549aca2fdc748700ef6091d5f08c2bd8b91c34c.
 1852 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -116,9 +116,9 @@ def manipulability_position(q):
     t77 = t72 + t73 * t73 + t74 * t74 + t75 * t75 + t76 * t76
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt(t77)
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -131,8 +131,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -328,10 +328,10 @@ def manipulability_gradient_position(q):
     t174 = -0.5 / t81 * np.sqrt(t172)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 7), real)
-    inverse_gradient = np.empty((*leading, 7), real)
-    inverse_root_gradient = np.empty((*leading, 7), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 7), _real)
+    inverse_gradient = np.empty((*_leading, 7), _real)
+    inverse_root_gradient = np.empty((*_leading, 7), _real)
     manipulability[..., 0] = t81
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t81 != 0.0, t103, 0.0)
@@ -354,7 +354,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 4] = np.where(t81 != 0.0, t165 * t174, 0.0)
     inverse_root_gradient[..., 5] = np.where(t81 != 0.0, t171 * t174, 0.0)
     inverse_root_gradient[..., 6] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (7,)), inverse_gradient.reshape(leading + (7,)), inverse_root_gradient.reshape(leading + (7,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (7,)), inverse_gradient.reshape(_leading + (7,)), inverse_root_gradient.reshape(_leading + (7,))
 
 
 def minors_position(q):
@@ -364,8 +364,8 @@ def minors_position(q):
     out  minors[35]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -439,7 +439,7 @@ def minors_position(q):
     t52 = 0.088 * t43 + 0.107 * t41
 
     # results
-    minors = np.empty((*leading, 35), real)
+    minors = np.empty((*_leading, 35), _real)
     minors[..., 0] = t30 * t33 + t36 * t37 - t38 * t39
     minors[..., 1] = t37 * t44 - t30 * t45 - t39 * t46
     minors[..., 2] = t30 * t47
@@ -475,7 +475,7 @@ def minors_position(q):
     minors[..., 32] = 0.0
     minors[..., 33] = 0.0
     minors[..., 34] = 0.0
-    return minors.reshape(leading + (35,))
+    return minors.reshape(_leading + (35,))
 
 
 def null_projector_position(q):
@@ -485,8 +485,8 @@ def null_projector_position(q):
     out  null_projector[7][7]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -669,7 +669,7 @@ def null_projector_position(q):
     t161 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t93, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 49), real)
+    null_projector = np.empty((*_leading, 49), _real)
     null_projector[..., 0] = t78 - np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t127, 0.0), 0.0)
     null_projector[..., 1] = t130
     null_projector[..., 2] = t133
@@ -719,4 +719,4 @@ def null_projector_position(q):
     null_projector[..., 46] = 0.0
     null_projector[..., 47] = 0.0
     null_projector[..., 48] = 1.0
-    return null_projector.reshape(leading + (7, 7))
+    return null_projector.reshape(_leading + (7, 7))

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs da72bb8ec1c45dffef6861b17795aac205e3afb0b827cf0b7aab4b9ec3c485c5.
+ * Made from templates/kernel.h.j2; inputs 4c45aa89a5277ec47303045972d656a93f0200eb9d4dc1d4f1cc9f2a1bbe49c8.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs da72bb8ec1c45dffef6861b17795aac205e3afb0b827cf0b7aab4b9ec3c485c5.
+Made from templates/kernel.py.j2; inputs 4c45aa89a5277ec47303045972d656a93f0200eb9d4dc1d4f1cc9f2a1bbe49c8.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -48,10 +48,10 @@ def position(q, parameters):
     t7 = t1 * sin_heading1 + t3 * t4 + t5 * (cos_heading3 * t4 + t2 * sin_heading3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t6
     position[..., 1] = t7
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -63,8 +63,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 5]
@@ -93,7 +93,7 @@ def pose(q, parameters):
     t7 = l3 + q3
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * t7
@@ -103,7 +103,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -115,8 +115,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -134,14 +134,14 @@ def jacobian_position(q, parameters):
     t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = t1 * cos_heading3 - t2 * sin_heading3
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t2
     jacobian[..., 5] = cos_heading3 * t2 + t1 * sin_heading3
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -153,8 +153,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -171,14 +171,14 @@ def jacobian_x_alpha(q, parameters):
     t1 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = t1 * cos_heading3 - (cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1) * sin_heading3
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 0.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -190,8 +190,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -209,7 +209,7 @@ def jacobian_pose(q, parameters):
     t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = t1 * cos_heading3 - t2 * sin_heading3
@@ -219,7 +219,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 0.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -232,8 +232,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -262,8 +262,8 @@ def kinematics_position(q, parameters):
     t7 = cos_heading3 * t4 + t2 * sin_heading3
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = cos_heading1 * t1 + t2 * t3 + t5 * t6
     position[..., 1] = t1 * sin_heading1 + t3 * t4 + t6 * t7
     jacobian[..., 0] = cos_heading1
@@ -272,7 +272,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t4
     jacobian[..., 5] = t7
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -285,8 +285,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 5]
@@ -315,8 +315,8 @@ def kinematics_x_alpha(q, parameters):
     t7 = l3 + q3
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * t7
@@ -332,7 +332,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -345,8 +345,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 5]
@@ -375,8 +375,8 @@ def kinematics_pose(q, parameters):
     t7 = l3 + q3
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * t7
@@ -395,4 +395,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

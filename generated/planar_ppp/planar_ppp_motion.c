@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 2795d2bc3a5a40211da04ec1343f2456c2b1042330c958a7ccf1f3a466ce507b.
+ * Made from templates/kernel.c.j2; inputs 80953f552b1f54a44228083727e87786127997cb9012b0e5a4d27e0e2f73ed8e.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "2795d2bc3a5a40211da04ec1343f2456c2b1042330c958a7ccf1f3a466ce507b";
+const char planar_ppp_motion_digest[] = "80953f552b1f54a44228083727e87786127997cb9012b0e5a4d27e0e2f73ed8e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 2795d2bc3a5a40211da04ec1343f2456c2b1042330c958a7ccf1f3a466ce507b.
+ * Made from templates/kernel.h.j2; inputs 80953f552b1f54a44228083727e87786127997cb9012b0e5a4d27e0e2f73ed8e.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

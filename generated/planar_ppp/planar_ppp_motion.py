@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2795d2bc3a5a40211da04ec1343f2456c2b1042330c958a7ccf1f3a466ce507b.
+Made from templates/kernel.py.j2; inputs 80953f552b1f54a44228083727e87786127997cb9012b0e5a4d27e0e2f73ed8e.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -91,8 +91,8 @@ def tip_motion(q, parameters, rates, second, third):
     t34 = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t24 * (t20 * t33 / t14), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = cos_heading1 * t1 + t2 * t3 + t5 * t6
     derivatives[..., 1] = t1 * sin_heading1 + t3 * t4 + t6 * t7
     derivatives[..., 2] = t8
@@ -107,4 +107,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t15 / t14 * t17, 0.0), 0.0), 0.0)
     path[..., 2] = t26
     path[..., 3] = t30 - np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t34, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

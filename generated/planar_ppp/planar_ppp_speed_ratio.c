@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 7b6cafd8b2efbe0688f7eeb022b7330383bb1b5a15fb8d2137d09e6ed8b4bc33.
+ * Made from templates/kernel.c.j2; inputs df049e074bcd02dce6a06cbe1225be143cb57a2068819aec7771ed4fe6dfd91c.
  * 587 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "7b6cafd8b2efbe0688f7eeb022b7330383bb1b5a15fb8d2137d09e6ed8b4bc33";
+const char planar_ppp_speed_ratio_digest[] = "df049e074bcd02dce6a06cbe1225be143cb57a2068819aec7771ed4fe6dfd91c";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7b6cafd8b2efbe0688f7eeb022b7330383bb1b5a15fb8d2137d09e6ed8b4bc33.
+Made from templates/kernel.py.j2; inputs df049e074bcd02dce6a06cbe1225be143cb57a2068819aec7771ed4fe6dfd91c.
 587 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -30,8 +30,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -88,15 +88,15 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t32 = t15 + t27 * (t8 * t30)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t3
     A[..., 1] = t7
     A[..., 2] = -t8
@@ -127,7 +127,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     C[..., 0] = 0.0
     D[..., 0] = 0.0
     discriminant[..., 0] = 0.0
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
@@ -151,8 +151,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -209,15 +209,15 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t32 = t16 + t27 * (t8 * t30)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t1
     A[..., 1] = t7
     A[..., 2] = -t8
@@ -248,7 +248,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     C[..., 0] = 0.0
     D[..., 0] = 0.0
     discriminant[..., 0] = 0.0
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
@@ -272,8 +272,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -330,15 +330,15 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t32 = t16 + t27 * (t8 * t30)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t1
     A[..., 1] = t5
     A[..., 2] = -t8
@@ -369,7 +369,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     C[..., 0] = 0.0
     D[..., 0] = 0.0
     discriminant[..., 0] = 0.0
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
@@ -395,8 +395,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
     leading = np.asarray(leading)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -489,15 +489,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t65 = t41 * (1.0 - t39) * (0.5 + 0.5 * np.copysign(1.0, t36 * t38 - t43))
 
     # results
-    rates = np.empty((*leading, 6), real)
-    ratios = np.empty((*leading, 4), real)
-    tracked = np.empty((*leading, 2), real)
-    tracked_rate = np.empty((*leading, 2), real)
-    verdict = np.empty((*leading, 5), real)
-    parabola = np.empty((*leading, 3), real)
-    slack = np.empty((*leading, 1), real)
-    least = np.empty((*leading, 3), real)
-    null = np.empty((*leading, 3), real)
+    rates = np.empty((*_leading, 6), _real)
+    ratios = np.empty((*_leading, 4), _real)
+    tracked = np.empty((*_leading, 2), _real)
+    tracked_rate = np.empty((*_leading, 2), _real)
+    verdict = np.empty((*_leading, 5), _real)
+    parabola = np.empty((*_leading, 3), _real)
+    slack = np.empty((*_leading, 1), _real)
+    least = np.empty((*_leading, 3), _real)
+    null = np.empty((*_leading, 3), _real)
     rates[..., 0] = t47
     rates[..., 1] = t48
     rates[..., 2] = t49
@@ -527,4 +527,4 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     null[..., 0] = t33
     null[..., 1] = t31
     null[..., 2] = t30
-    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 408d5547017ba1bcd2a84b012a78ed5aa8047c1bc3d189957b49d3041f30d68c.
+ * Made from templates/kernel.c.j2; inputs 1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "408d5547017ba1bcd2a84b012a78ed5aa8047c1bc3d189957b49d3041f30d68c";
+const char planar_ppr_kinematics_digest[] = "1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3";
 #endif
 
 #define LANES 64

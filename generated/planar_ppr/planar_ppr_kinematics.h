@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 408d5547017ba1bcd2a84b012a78ed5aa8047c1bc3d189957b49d3041f30d68c.
+ * Made from templates/kernel.h.j2; inputs 1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

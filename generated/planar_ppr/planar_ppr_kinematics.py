@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 408d5547017ba1bcd2a84b012a78ed5aa8047c1bc3d189957b49d3041f30d68c.
+Made from templates/kernel.py.j2; inputs 1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -46,10 +46,10 @@ def position(q, parameters):
     t6 = t1 * sin_heading1 + t3 * t4 + l3 * (c3 * t4 + t2 * s3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t5
     position[..., 1] = t6
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -61,8 +61,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -89,7 +89,7 @@ def pose(q, parameters):
     t6 = l2 + q2
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * l3
@@ -99,7 +99,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -111,8 +111,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -131,14 +131,14 @@ def jacobian_position(q, parameters):
     t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = -((c3 * t2 + t1 * s3) * l3)
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t2
     jacobian[..., 5] = l3 * (t1 * c3 - t2 * s3)
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -150,8 +150,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -170,14 +170,14 @@ def jacobian_x_alpha(q, parameters):
     t2 = (c3 * (cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1) + t1 * s3) * l3
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = -t2
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 1.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -189,8 +189,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -209,7 +209,7 @@ def jacobian_pose(q, parameters):
     t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = -((c3 * t2 + t1 * s3) * l3)
@@ -219,7 +219,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 1.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -232,8 +232,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -260,8 +260,8 @@ def kinematics_position(q, parameters):
     t6 = l3 * (c3 * t4 + t2 * s3)
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = cos_heading1 * t1 + t2 * t3 + t5
     position[..., 1] = t1 * sin_heading1 + t3 * t4 + t6
     jacobian[..., 0] = cos_heading1
@@ -270,7 +270,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t4
     jacobian[..., 5] = t5
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -283,8 +283,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -312,8 +312,8 @@ def kinematics_x_alpha(q, parameters):
     t7 = t4 * l3
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t3 * l3
@@ -329,7 +329,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -342,8 +342,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -372,8 +372,8 @@ def kinematics_pose(q, parameters):
     t8 = t4 * l3
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * t6 + t7
@@ -392,4 +392,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

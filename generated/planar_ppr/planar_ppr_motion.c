@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs d9aadd00d0447a408ffd152f657846fd1d059619f858d8f72202b7eaaf34a346.
+ * Made from templates/kernel.c.j2; inputs 633781c48ad77f2b652febd41f84ee6a802bf11c39a13575108583773fd9854f.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "d9aadd00d0447a408ffd152f657846fd1d059619f858d8f72202b7eaaf34a346";
+const char planar_ppr_motion_digest[] = "633781c48ad77f2b652febd41f84ee6a802bf11c39a13575108583773fd9854f";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs d9aadd00d0447a408ffd152f657846fd1d059619f858d8f72202b7eaaf34a346.
+ * Made from templates/kernel.h.j2; inputs 633781c48ad77f2b652febd41f84ee6a802bf11c39a13575108583773fd9854f.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d9aadd00d0447a408ffd152f657846fd1d059619f858d8f72202b7eaaf34a346.
+Made from templates/kernel.py.j2; inputs 633781c48ad77f2b652febd41f84ee6a802bf11c39a13575108583773fd9854f.
 194 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -101,8 +101,8 @@ def tip_motion(q, parameters, rates, second, third):
     t45 = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t34 * (t30 * t44 / t24), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = cos_heading1 * t1 + t2 * t3 + t5 * l3
     derivatives[..., 1] = t1 * sin_heading1 + t3 * t4 + l3 * t6
     derivatives[..., 2] = t8
@@ -117,4 +117,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t25 / t24 * t27, 0.0), 0.0), 0.0)
     path[..., 2] = t36
     path[..., 3] = t41 - np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t45, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 574b0181bba337937613449436930e4e537c22cc9407120f6e1904ecd3ea750c.
+ * Made from templates/kernel.c.j2; inputs a08dc414f36d9222eab60f32f0bb2b11193752e23147baa2c567396cd00b468b.
  * 758 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "574b0181bba337937613449436930e4e537c22cc9407120f6e1904ecd3ea750c";
+const char planar_ppr_speed_ratio_digest[] = "a08dc414f36d9222eab60f32f0bb2b11193752e23147baa2c567396cd00b468b";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 574b0181bba337937613449436930e4e537c22cc9407120f6e1904ecd3ea750c.
+ * Made from templates/kernel.h.j2; inputs a08dc414f36d9222eab60f32f0bb2b11193752e23147baa2c567396cd00b468b.
  * 758 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

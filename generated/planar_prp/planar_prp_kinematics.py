@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9bdf24d190d3a7b9ebc877a51e63e3803c82772d8e3ba94604ed7f781b99b0d1.
+Made from templates/kernel.py.j2; inputs e81c7936ab2fe83444890f5764ee0c3c5ba1dc4d7b881deb4fcf5e8c67d6d744.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -46,10 +46,10 @@ def position(q, parameters):
     t6 = t1 * sin_heading1 + l2 * t3 + t4 * (cos_heading3 * t3 + t2 * sin_heading3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t5
     position[..., 1] = t6
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -61,8 +61,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 4]
@@ -89,7 +89,7 @@ def pose(q, parameters):
     t6 = l3 + q3
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * l2 + t3 * t6
@@ -99,7 +99,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -111,8 +111,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -141,14 +141,14 @@ def jacobian_position(q, parameters):
     t8 = cos_heading1 * t1
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t2 + t3 * l2 + t5 * t6 - t2)
     jacobian[..., 2] = t7
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t8 + l2 * t4 + t6 * t7 - t8
     jacobian[..., 5] = t5
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -160,8 +160,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -186,14 +186,14 @@ def jacobian_x_alpha(q, parameters):
     t4 = t1 + t2 * l2 + (t2 * cos_heading3 + t3 * sin_heading3) * (l3 + q3)
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t4 - t1)
     jacobian[..., 2] = cos_heading3 * t3 - t2 * sin_heading3
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 0.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -205,8 +205,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -235,7 +235,7 @@ def jacobian_pose(q, parameters):
     t8 = cos_heading1 * t1
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t2 + t3 * l2 + t5 * t6 - t2)
     jacobian[..., 2] = t7
@@ -245,7 +245,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 0.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -258,8 +258,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -290,8 +290,8 @@ def kinematics_position(q, parameters):
     t10 = t8 + l2 * t4 + t6 * t9
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = t7
     position[..., 1] = t10
     jacobian[..., 0] = cos_heading1
@@ -300,7 +300,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t7 - t2
     jacobian[..., 5] = t9
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -313,8 +313,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 4]
@@ -343,8 +343,8 @@ def kinematics_x_alpha(q, parameters):
     t8 = t7 + t2 * l2 + t4 * t6
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * l2 + t3 * t6
@@ -360,7 +360,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -373,8 +373,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 4]
@@ -405,8 +405,8 @@ def kinematics_pose(q, parameters):
     t10 = t9 + t2 * l2 + t4 * t7
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = t8
@@ -425,4 +425,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs f311fec39c49ece8a67c17d1162179351a57e698fcc79677ee5406ef4e300eba.
+ * Made from templates/kernel.c.j2; inputs 027c71afc35fbdff947415eddf142c3f97d7c4da363addbb00bd7163f237dbb6.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "f311fec39c49ece8a67c17d1162179351a57e698fcc79677ee5406ef4e300eba";
+const char planar_prp_motion_digest[] = "027c71afc35fbdff947415eddf142c3f97d7c4da363addbb00bd7163f237dbb6";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs f311fec39c49ece8a67c17d1162179351a57e698fcc79677ee5406ef4e300eba.
+ * Made from templates/kernel.h.j2; inputs 027c71afc35fbdff947415eddf142c3f97d7c4da363addbb00bd7163f237dbb6.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f311fec39c49ece8a67c17d1162179351a57e698fcc79677ee5406ef4e300eba.
+Made from templates/kernel.py.j2; inputs 027c71afc35fbdff947415eddf142c3f97d7c4da363addbb00bd7163f237dbb6.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -119,8 +119,8 @@ def tip_motion(q, parameters, rates, second, third):
     t63 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t52 * (t48 * t62 / t42), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = cos_heading1 * t1 + t2 * l2 + t4 * t5
     derivatives[..., 1] = t1 * sin_heading1 + l2 * t3 + t5 * t6
     derivatives[..., 2] = t9
@@ -135,4 +135,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t43 / t42 * t45, 0.0), 0.0), 0.0)
     path[..., 2] = t54
     path[..., 3] = t59 - np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t63, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs a27ef052ca9470f4e91491304655c000552efd390c6ac619d723e1d919881b38.
+ * Made from templates/kernel.c.j2; inputs d3a9ecff5fea69defe89768dd13ae7dcfaa2e6efa17fd2ca4a0fb1dd59d0fd93.
  * 880 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "a27ef052ca9470f4e91491304655c000552efd390c6ac619d723e1d919881b38";
+const char planar_prp_speed_ratio_digest[] = "d3a9ecff5fea69defe89768dd13ae7dcfaa2e6efa17fd2ca4a0fb1dd59d0fd93";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs a27ef052ca9470f4e91491304655c000552efd390c6ac619d723e1d919881b38.
+ * Made from templates/kernel.h.j2; inputs d3a9ecff5fea69defe89768dd13ae7dcfaa2e6efa17fd2ca4a0fb1dd59d0fd93.
  * 880 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

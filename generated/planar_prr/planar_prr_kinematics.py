@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 43c1c34c53321c6f93779cc508a1c85244f0645d2c09aba45eed1eb48a87f651.
+Made from templates/kernel.py.j2; inputs c53233d7f5a32d7c952755d9fb72453fb504a84b1939d4a197e3a387c73a3752.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -44,10 +44,10 @@ def position(q, parameters):
     t5 = t1 * sin_heading1 + l2 * t3 + l3 * (c3 * t3 + t2 * s3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t4
     position[..., 1] = t5
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -59,8 +59,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -85,7 +85,7 @@ def pose(q, parameters):
     t5 = l1 + q1
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * l2 + t3 * l3
@@ -95,7 +95,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -107,8 +107,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -135,14 +135,14 @@ def jacobian_position(q, parameters):
     t7 = l3 * (c3 * t4 - t3 * s3)
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t2 + t3 * l2 + t5 - t2)
     jacobian[..., 2] = -t5
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t6 + l2 * t4 + t7 - t6
     jacobian[..., 5] = t7
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -154,8 +154,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -178,14 +178,14 @@ def jacobian_x_alpha(q, parameters):
     t3 = (t2 * c3 + (cos_heading1 * c2 - sin_heading1 * s2) * s3) * l3
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t1 + t2 * l2 + t3 - t1)
     jacobian[..., 2] = -t3
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 1.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -197,8 +197,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -225,7 +225,7 @@ def jacobian_pose(q, parameters):
     t7 = l3 * (c3 * t4 - t3 * s3)
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t2 + t3 * l2 + t5 - t2)
     jacobian[..., 2] = -t5
@@ -235,7 +235,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 1.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -248,8 +248,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -278,8 +278,8 @@ def kinematics_position(q, parameters):
     t9 = t7 + l2 * t4 + t8
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = t6
     position[..., 1] = t9
     jacobian[..., 0] = cos_heading1
@@ -288,7 +288,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = sin_heading1
     jacobian[..., 4] = t6 - t2
     jacobian[..., 5] = t5
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -301,8 +301,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -330,8 +330,8 @@ def kinematics_x_alpha(q, parameters):
     t8 = t6 + t2 * l2 + t7
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = cos_heading1 * t5 + t1 * l2 + t3 * l3
@@ -347,7 +347,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -360,8 +360,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -392,8 +392,8 @@ def kinematics_pose(q, parameters):
     t11 = t9 + t2 * l2 + t10
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = t8
@@ -412,4 +412,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 49f39741cf7208ce8b542a404bf131204e8c9e2161416fe2da141f696605da77.
+Made from templates/kernel.py.j2; inputs c85eceef2a9447b549af94e8577322cd682664883c40378b79af75a2d0217944.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
@@ -115,8 +115,8 @@ def tip_motion(q, parameters, rates, second, third):
     t60 = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t49 * (t45 * t59 / t39), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = cos_heading1 * t1 + t2 * l2 + t4 * l3
     derivatives[..., 1] = t1 * sin_heading1 + l2 * t3 + l3 * t5
     derivatives[..., 2] = t9
@@ -131,4 +131,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t40 / t39 * t42, 0.0), 0.0), 0.0)
     path[..., 2] = t51
     path[..., 3] = t56 - np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t60, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs c0c9a994f281a96b8e74abafa2383b58df3825d83490b63ae194acb8118b8cd6.
+ * Made from templates/kernel.c.j2; inputs 0ecbae4c3f69ec4121195092879b867f33f31a1d40fc11afb9278dc265ead913.
  * 900 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "c0c9a994f281a96b8e74abafa2383b58df3825d83490b63ae194acb8118b8cd6";
+const char planar_prr_speed_ratio_digest[] = "0ecbae4c3f69ec4121195092879b867f33f31a1d40fc11afb9278dc265ead913";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.h: speed ratio of planar_prr.
- * Made from templates/kernel.h.j2; inputs c0c9a994f281a96b8e74abafa2383b58df3825d83490b63ae194acb8118b8cd6.
+ * Made from templates/kernel.h.j2; inputs 0ecbae4c3f69ec4121195092879b867f33f31a1d40fc11afb9278dc265ead913.
  * 900 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

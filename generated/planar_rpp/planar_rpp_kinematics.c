@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 98092d117fa8f6150217349dea14cc1ef5b8a47a9cad7ef253e9248717f6d9fd.
+ * Made from templates/kernel.c.j2; inputs ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "98092d117fa8f6150217349dea14cc1ef5b8a47a9cad7ef253e9248717f6d9fd";
+const char planar_rpp_kinematics_digest[] = "ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059";
 #endif
 
 #define LANES 64

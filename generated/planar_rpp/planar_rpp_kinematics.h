@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 98092d117fa8f6150217349dea14cc1ef5b8a47a9cad7ef253e9248717f6d9fd.
+ * Made from templates/kernel.h.j2; inputs ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

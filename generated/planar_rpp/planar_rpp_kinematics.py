@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 98092d117fa8f6150217349dea14cc1ef5b8a47a9cad7ef253e9248717f6d9fd.
+Made from templates/kernel.py.j2; inputs ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -46,10 +46,10 @@ def position(q, parameters):
     t6 = l1 * s1 + t2 * t3 + t4 * (cos_heading3 * t3 + t1 * sin_heading3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t5
     position[..., 1] = t6
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -61,8 +61,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 4]
@@ -89,7 +89,7 @@ def pose(q, parameters):
     t6 = l3 + q3
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * t5 + t3 * t6
@@ -99,7 +99,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -111,8 +111,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -139,14 +139,14 @@ def jacobian_position(q, parameters):
     t6 = cos_heading3 * t3 - t1 * sin_heading3
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -(l1 * s1 + t1 * t2 + t4 * t5)
     jacobian[..., 1] = t3
     jacobian[..., 2] = t6
     jacobian[..., 3] = l1 * c1 + t2 * t3 + t5 * t6
     jacobian[..., 4] = t1
     jacobian[..., 5] = t4
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -158,8 +158,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -183,14 +183,14 @@ def jacobian_x_alpha(q, parameters):
     t3 = l1 * s1 + t1 * (l2 + q2) + (t1 * cos_heading3 + t2 * sin_heading3) * (l3 + q3)
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -t3
     jacobian[..., 1] = t2
     jacobian[..., 2] = cos_heading3 * t2 - t1 * sin_heading3
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 0.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -202,8 +202,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -230,7 +230,7 @@ def jacobian_pose(q, parameters):
     t6 = cos_heading3 * t3 - t1 * sin_heading3
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = -(l1 * s1 + t1 * t2 + t4 * t5)
     jacobian[..., 1] = t3
     jacobian[..., 2] = t6
@@ -240,7 +240,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 0.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -253,8 +253,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -283,8 +283,8 @@ def kinematics_position(q, parameters):
     t8 = l1 * s1 + t2 * t3 + t5 * t7
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = t6
     position[..., 1] = t8
     jacobian[..., 0] = -t8
@@ -293,7 +293,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = t6
     jacobian[..., 4] = t3
     jacobian[..., 5] = t7
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -306,8 +306,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 4]
@@ -335,8 +335,8 @@ def kinematics_x_alpha(q, parameters):
     t7 = s1 * l1 + t2 * t5 + t4 * t6
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * t5 + t3 * t6
@@ -352,7 +352,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -365,8 +365,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 4]
@@ -395,8 +395,8 @@ def kinematics_pose(q, parameters):
     t8 = s1 * l1 + t2 * t5 + t4 * t6
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = t7
@@ -415,4 +415,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

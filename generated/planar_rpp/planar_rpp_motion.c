@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs e2e2642ba21c05a5231bcaeeebbddb2d79bb467d43fd69f52a52703435e6ffb3.
+ * Made from templates/kernel.c.j2; inputs 0d985a009f431717c6f373a001974af1ccede0342364330e192c654990334c09.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "e2e2642ba21c05a5231bcaeeebbddb2d79bb467d43fd69f52a52703435e6ffb3";
+const char planar_rpp_motion_digest[] = "0d985a009f431717c6f373a001974af1ccede0342364330e192c654990334c09";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e2e2642ba21c05a5231bcaeeebbddb2d79bb467d43fd69f52a52703435e6ffb3.
+Made from templates/kernel.py.j2; inputs 0d985a009f431717c6f373a001974af1ccede0342364330e192c654990334c09.
 331 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -136,8 +136,8 @@ def tip_motion(q, parameters, rates, second, third):
     t80 = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * (t65 * t79 / t59), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = c1 * l1 + t1 * t2 + t4 * t5
     derivatives[..., 1] = l1 * s1 + t2 * t3 + t5 * t6
     derivatives[..., 2] = t11
@@ -152,4 +152,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t60 / t59 * t62, 0.0), 0.0), 0.0)
     path[..., 2] = t71
     path[..., 3] = t76 - np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t80, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

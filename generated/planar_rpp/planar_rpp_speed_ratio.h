@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 6c14c2b57ee6e3eee4b4d83aab5dea3512cc69d0b8db712bef9f30d106eb28eb.
+ * Made from templates/kernel.h.j2; inputs a64aa6058ab7fb874544f2f2beeb62d5d04fb91ade025d6faa026b85e9bf9f5a.
  * 953 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6c14c2b57ee6e3eee4b4d83aab5dea3512cc69d0b8db712bef9f30d106eb28eb.
+Made from templates/kernel.py.j2; inputs a64aa6058ab7fb874544f2f2beeb62d5d04fb91ade025d6faa026b85e9bf9f5a.
 953 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -30,8 +30,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -100,15 +100,15 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t45 = t42 * t42
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t3
     A[..., 1] = t7
     A[..., 2] = -t12
@@ -139,7 +139,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     C[..., 0] = t44
     D[..., 0] = t45
     discriminant[..., 0] = t45 + kappa * t44
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
@@ -163,8 +163,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -237,15 +237,15 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t49 = t46 * t46 - t47 * (4.0 * t43)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t9
     A[..., 1] = t11
     A[..., 2] = -t12
@@ -276,7 +276,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     C[..., 0] = t48
     D[..., 0] = t49
     discriminant[..., 0] = t49 + kappa * t48
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
@@ -300,8 +300,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -374,15 +374,15 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t49 = t46 * t46 - t47 * (4.0 * t43)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t9
     A[..., 1] = t11
     A[..., 2] = -t12
@@ -413,7 +413,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     C[..., 0] = t48
     D[..., 0] = t49
     discriminant[..., 0] = t49 + kappa * t48
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
@@ -439,8 +439,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
     leading = np.asarray(leading)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -586,15 +586,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t118 = t70 * (1.0 - t71) * (0.5 + 0.5 * np.copysign(1.0, t62 - t63))
 
     # results
-    rates = np.empty((*leading, 6), real)
-    ratios = np.empty((*leading, 4), real)
-    tracked = np.empty((*leading, 2), real)
-    tracked_rate = np.empty((*leading, 2), real)
-    verdict = np.empty((*leading, 5), real)
-    parabola = np.empty((*leading, 3), real)
-    slack = np.empty((*leading, 1), real)
-    least = np.empty((*leading, 3), real)
-    null = np.empty((*leading, 3), real)
+    rates = np.empty((*_leading, 6), _real)
+    ratios = np.empty((*_leading, 4), _real)
+    tracked = np.empty((*_leading, 2), _real)
+    tracked_rate = np.empty((*_leading, 2), _real)
+    verdict = np.empty((*_leading, 5), _real)
+    parabola = np.empty((*_leading, 3), _real)
+    slack = np.empty((*_leading, 1), _real)
+    least = np.empty((*_leading, 3), _real)
+    null = np.empty((*_leading, 3), _real)
     rates[..., 0] = t75
     rates[..., 1] = t76
     rates[..., 2] = t77
@@ -624,4 +624,4 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     null[..., 0] = t34
     null[..., 1] = t32
     null[..., 2] = t31
-    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

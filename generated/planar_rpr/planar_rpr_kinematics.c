@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 0f6de29eff3b216d19b5d59c982dd14682728f764f976821b8a7cc6f04f08b53.
+ * Made from templates/kernel.c.j2; inputs a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "0f6de29eff3b216d19b5d59c982dd14682728f764f976821b8a7cc6f04f08b53";
+const char planar_rpr_kinematics_digest[] = "a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 0f6de29eff3b216d19b5d59c982dd14682728f764f976821b8a7cc6f04f08b53.
+ * Made from templates/kernel.h.j2; inputs a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

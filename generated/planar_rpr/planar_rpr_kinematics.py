@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0f6de29eff3b216d19b5d59c982dd14682728f764f976821b8a7cc6f04f08b53.
+Made from templates/kernel.py.j2; inputs a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -44,10 +44,10 @@ def position(q, parameters):
     t5 = l1 * s1 + t2 * t3 + l3 * (c3 * t3 + t1 * s3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t4
     position[..., 1] = t5
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -59,8 +59,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -85,7 +85,7 @@ def pose(q, parameters):
     t5 = l2 + q2
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * t5 + t3 * l3
@@ -95,7 +95,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -107,8 +107,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -133,14 +133,14 @@ def jacobian_position(q, parameters):
     t5 = l3 * (c3 * t3 - t1 * s3)
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -(l1 * s1 + t1 * t2 + t4)
     jacobian[..., 1] = t3
     jacobian[..., 2] = -t4
     jacobian[..., 3] = l1 * c1 + t2 * t3 + t5
     jacobian[..., 4] = t1
     jacobian[..., 5] = t5
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -152,8 +152,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -176,14 +176,14 @@ def jacobian_x_alpha(q, parameters):
     t3 = (t1 * c3 + t2 * s3) * l3
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -(l1 * s1 + t1 * (l2 + q2) + t3)
     jacobian[..., 1] = t2
     jacobian[..., 2] = -t3
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 1.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -195,8 +195,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -221,7 +221,7 @@ def jacobian_pose(q, parameters):
     t5 = l3 * (c3 * t3 - t1 * s3)
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = -(l1 * s1 + t1 * t2 + t4)
     jacobian[..., 1] = t3
     jacobian[..., 2] = -t4
@@ -231,7 +231,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 1.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -244,8 +244,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -272,8 +272,8 @@ def kinematics_position(q, parameters):
     t7 = l1 * s1 + t2 * t3 + t6
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = t5
     position[..., 1] = t7
     jacobian[..., 0] = -t7
@@ -282,7 +282,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = t5
     jacobian[..., 4] = t3
     jacobian[..., 5] = t4
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -295,8 +295,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -323,8 +323,8 @@ def kinematics_x_alpha(q, parameters):
     t7 = s1 * l1 + t2 * t5 + t6
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * t5 + t3 * l3
@@ -340,7 +340,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -353,8 +353,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -383,8 +383,8 @@ def kinematics_pose(q, parameters):
     t9 = s1 * l1 + t2 * t5 + t8
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = t7
@@ -403,4 +403,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

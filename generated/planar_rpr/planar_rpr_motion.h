@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 5777694d2432e0eec8aa7f17e6a9f0d084e17a05faf7436e98aeca9b8a4598de.
+ * Made from templates/kernel.h.j2; inputs b01cf081d472a20108dbb2fb67ed6ccb86af068d2e8d827043553429a7c72545.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

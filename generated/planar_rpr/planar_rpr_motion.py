@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5777694d2432e0eec8aa7f17e6a9f0d084e17a05faf7436e98aeca9b8a4598de.
+Made from templates/kernel.py.j2; inputs b01cf081d472a20108dbb2fb67ed6ccb86af068d2e8d827043553429a7c72545.
 307 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -131,8 +131,8 @@ def tip_motion(q, parameters, rates, second, third):
     t76 = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t65 * (t61 * t75 / t55), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = c1 * l1 + t1 * t2 + t4 * l3
     derivatives[..., 1] = l1 * s1 + t2 * t3 + l3 * t5
     derivatives[..., 2] = t10
@@ -147,4 +147,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t56 / t55 * t58, 0.0), 0.0), 0.0)
     path[..., 2] = t67
     path[..., 3] = t72 - np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t76, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

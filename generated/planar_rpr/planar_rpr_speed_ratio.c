@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 84f43456b6d92a789654fa73c2ff3a1cec84e5a4ce62005ef45d6a61ca9d3108.
+ * Made from templates/kernel.c.j2; inputs bbc93cc24ca5f7ea8535b0696d2b52e296d373a77665ecec87f30b1b05620c23.
  * 972 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "84f43456b6d92a789654fa73c2ff3a1cec84e5a4ce62005ef45d6a61ca9d3108";
+const char planar_rpr_speed_ratio_digest[] = "bbc93cc24ca5f7ea8535b0696d2b52e296d373a77665ecec87f30b1b05620c23";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 84f43456b6d92a789654fa73c2ff3a1cec84e5a4ce62005ef45d6a61ca9d3108.
+Made from templates/kernel.py.j2; inputs bbc93cc24ca5f7ea8535b0696d2b52e296d373a77665ecec87f30b1b05620c23.
 972 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -30,8 +30,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -106,15 +106,15 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t52 = t49 * t49 - t50 * (4.0 * t46)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t3
     A[..., 1] = t9
     A[..., 2] = -t13
@@ -145,7 +145,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     C[..., 0] = t51
     D[..., 0] = t52
     discriminant[..., 0] = t52 + kappa * t51
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
@@ -169,8 +169,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -245,15 +245,15 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t52 = t49 * t49 - t50 * (4.0 * t46)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t10
     A[..., 1] = t12
     A[..., 2] = -t13
@@ -284,7 +284,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     C[..., 0] = t51
     D[..., 0] = t52
     discriminant[..., 0] = t52 + kappa * t51
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
@@ -308,8 +308,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -384,15 +384,15 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t52 = t49 * t49 - t50 * (4.0 * t46)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t10
     A[..., 1] = t12
     A[..., 2] = -t13
@@ -423,7 +423,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     C[..., 0] = t51
     D[..., 0] = t52
     discriminant[..., 0] = t52 + kappa * t51
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
@@ -449,8 +449,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
     leading = np.asarray(leading)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -593,15 +593,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t116 = t69 * (1.0 - t70) * (0.5 + 0.5 * np.copysign(1.0, t61 - t62))
 
     # results
-    rates = np.empty((*leading, 6), real)
-    ratios = np.empty((*leading, 4), real)
-    tracked = np.empty((*leading, 2), real)
-    tracked_rate = np.empty((*leading, 2), real)
-    verdict = np.empty((*leading, 5), real)
-    parabola = np.empty((*leading, 3), real)
-    slack = np.empty((*leading, 1), real)
-    least = np.empty((*leading, 3), real)
-    null = np.empty((*leading, 3), real)
+    rates = np.empty((*_leading, 6), _real)
+    ratios = np.empty((*_leading, 4), _real)
+    tracked = np.empty((*_leading, 2), _real)
+    tracked_rate = np.empty((*_leading, 2), _real)
+    verdict = np.empty((*_leading, 5), _real)
+    parabola = np.empty((*_leading, 3), _real)
+    slack = np.empty((*_leading, 1), _real)
+    least = np.empty((*_leading, 3), _real)
+    null = np.empty((*_leading, 3), _real)
     rates[..., 0] = t74
     rates[..., 1] = t75
     rates[..., 2] = t76
@@ -631,4 +631,4 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     null[..., 0] = t35
     null[..., 1] = t33
     null[..., 2] = t32
-    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 85d03777c5d9e017183ab24ecd0b05cd1a307aab64a8e1284ab49f959a956fa0.
+ * Made from templates/kernel.h.j2; inputs a1261ed9199d9df75adacfb0efb0f1aec6aeed19e1cb7362d14c1d578ebd0816.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

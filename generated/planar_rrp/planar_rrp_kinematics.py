@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 85d03777c5d9e017183ab24ecd0b05cd1a307aab64a8e1284ab49f959a956fa0.
+Made from templates/kernel.py.j2; inputs a1261ed9199d9df75adacfb0efb0f1aec6aeed19e1cb7362d14c1d578ebd0816.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -44,10 +44,10 @@ def position(q, parameters):
     t5 = l1 * s1 + l2 * t2 + t3 * (cos_heading3 * t2 + t1 * sin_heading3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t4
     position[..., 1] = t5
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -59,8 +59,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 3]
@@ -85,7 +85,7 @@ def pose(q, parameters):
     t5 = l3 + q3
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * l2 + t3 * t5
@@ -95,7 +95,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -107,8 +107,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -137,14 +137,14 @@ def jacobian_position(q, parameters):
     t9 = t8 + l2 * t3 + t5 * t7
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -t6
     jacobian[..., 1] = -(t6 - t1)
     jacobian[..., 2] = t7
     jacobian[..., 3] = t9
     jacobian[..., 4] = t9 - t8
     jacobian[..., 5] = t4
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -156,8 +156,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -181,14 +181,14 @@ def jacobian_x_alpha(q, parameters):
     t4 = t1 + t2 * l2 + (t2 * cos_heading3 + t3 * sin_heading3) * (l3 + q3)
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -t4
     jacobian[..., 1] = -(t4 - t1)
     jacobian[..., 2] = cos_heading3 * t3 - t2 * sin_heading3
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 0.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -200,8 +200,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -230,7 +230,7 @@ def jacobian_pose(q, parameters):
     t9 = t8 + l2 * t3 + t5 * t7
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = -t6
     jacobian[..., 1] = -(t6 - t1)
     jacobian[..., 2] = t7
@@ -240,7 +240,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 0.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -253,8 +253,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -283,8 +283,8 @@ def kinematics_position(q, parameters):
     t9 = t7 + l2 * t3 + t5 * t8
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = t6
     position[..., 1] = t9
     jacobian[..., 0] = -t9
@@ -293,7 +293,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = t6
     jacobian[..., 4] = t6 - t1
     jacobian[..., 5] = t8
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -306,8 +306,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 3]
@@ -334,8 +334,8 @@ def kinematics_x_alpha(q, parameters):
     t7 = t6 + t2 * l2 + t4 * t5
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * l2 + t3 * t5
@@ -351,7 +351,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -364,8 +364,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     heading3 = parameters[..., 3]
@@ -394,8 +394,8 @@ def kinematics_pose(q, parameters):
     t9 = t8 + t2 * l2 + t4 * t6
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = t7
@@ -414,4 +414,4 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 0.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

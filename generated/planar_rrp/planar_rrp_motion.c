@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs d8cddc9f106a2a8b2338658a04b50916baedc2d2befea36516c744bcc6c9c62b.
+ * Made from templates/kernel.c.j2; inputs fd32a1696af8afe3298bc09979532fc349cd8b2b865df1790a88079a1d8795ca.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "d8cddc9f106a2a8b2338658a04b50916baedc2d2befea36516c744bcc6c9c62b";
+const char planar_rrp_motion_digest[] = "fd32a1696af8afe3298bc09979532fc349cd8b2b865df1790a88079a1d8795ca";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs d8cddc9f106a2a8b2338658a04b50916baedc2d2befea36516c744bcc6c9c62b.
+ * Made from templates/kernel.h.j2; inputs fd32a1696af8afe3298bc09979532fc349cd8b2b865df1790a88079a1d8795ca.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

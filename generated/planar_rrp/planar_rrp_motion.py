@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d8cddc9f106a2a8b2338658a04b50916baedc2d2befea36516c744bcc6c9c62b.
+Made from templates/kernel.py.j2; inputs fd32a1696af8afe3298bc09979532fc349cd8b2b865df1790a88079a1d8795ca.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -132,8 +132,8 @@ def tip_motion(q, parameters, rates, second, third):
     t77 = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t66 * (t62 * t76 / t56), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = c1 * l1 + t1 * l2 + t3 * t4
     derivatives[..., 1] = l1 * s1 + l2 * t2 + t4 * t5
     derivatives[..., 2] = t10
@@ -148,4 +148,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t57 / t56 * t59, 0.0), 0.0), 0.0)
     path[..., 2] = t68
     path[..., 3] = t73 - np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t77, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

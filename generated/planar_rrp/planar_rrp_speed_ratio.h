@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.h: speed ratio of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 23a1758e3090834892e5d7dd9a2b28af15dbbc1aec7ed25e34ce56881e5e6639.
+ * Made from templates/kernel.h.j2; inputs 173ca0949bbde67682285f34e19af9c3093a918b86a5a14dfa80425de68df8f3.
  * 1001 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 23a1758e3090834892e5d7dd9a2b28af15dbbc1aec7ed25e34ce56881e5e6639.
+Made from templates/kernel.py.j2; inputs 173ca0949bbde67682285f34e19af9c3093a918b86a5a14dfa80425de68df8f3.
 1001 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -30,8 +30,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -110,15 +110,15 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t56 = t53 * t53 - t54 * (4.0 * t50)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t12
     A[..., 1] = t14
     A[..., 2] = -t15
@@ -149,7 +149,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     C[..., 0] = t55
     D[..., 0] = t56
     discriminant[..., 0] = t56 + kappa * t55
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
@@ -173,8 +173,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -253,15 +253,15 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t56 = t53 * t53 - t54 * (4.0 * t50)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t10
     A[..., 1] = t12
     A[..., 2] = -t15
@@ -292,7 +292,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     C[..., 0] = t55
     D[..., 0] = t56
     discriminant[..., 0] = t56 + kappa * t55
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
@@ -316,8 +316,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     parameters = np.asarray(parameters)
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -394,15 +394,15 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t54 = t51 * t51 - t52 * (4.0 * t50)
 
     # results
-    A = np.empty((*leading, 3), real)
-    B = np.empty((*leading, 6), real)
-    B0 = np.empty((*leading, 6), real)
-    B1 = np.empty((*leading, 6), real)
-    a = np.empty((*leading, 3), real)
-    b = np.empty((*leading, 3), real)
-    C = np.empty((*leading, 1), real)
-    D = np.empty((*leading, 1), real)
-    discriminant = np.empty((*leading, 1), real)
+    A = np.empty((*_leading, 3), _real)
+    B = np.empty((*_leading, 6), _real)
+    B0 = np.empty((*_leading, 6), _real)
+    B1 = np.empty((*_leading, 6), _real)
+    a = np.empty((*_leading, 3), _real)
+    b = np.empty((*_leading, 3), _real)
+    C = np.empty((*_leading, 1), _real)
+    D = np.empty((*_leading, 1), _real)
+    discriminant = np.empty((*_leading, 1), _real)
     A[..., 0] = -t10
     A[..., 1] = t14
     A[..., 2] = -t15
@@ -433,7 +433,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     C[..., 0] = t53
     D[..., 0] = t54
     discriminant[..., 0] = t54 + kappa * t53
-    return A.reshape(leading + (3,)), B.reshape(leading + (6,)), B0.reshape(leading + (6,)), B1.reshape(leading + (6,)), a.reshape(leading + (3,)), b.reshape(leading + (3,)), C.reshape(leading), D.reshape(leading), discriminant.reshape(leading)
+    return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
@@ -459,8 +459,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tangent = np.asarray(tangent)
     curvature = np.asarray(curvature)
     leading = np.asarray(leading)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
-    real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], tangent.shape[:-1], curvature.shape[:-1], leading.shape[:-1])
+    _real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
     tx = tangent[..., 0]
@@ -607,15 +607,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t120 = t73 * (1.0 - t74) * (0.5 + 0.5 * np.copysign(1.0, t65 - t66))
 
     # results
-    rates = np.empty((*leading, 6), real)
-    ratios = np.empty((*leading, 4), real)
-    tracked = np.empty((*leading, 2), real)
-    tracked_rate = np.empty((*leading, 2), real)
-    verdict = np.empty((*leading, 5), real)
-    parabola = np.empty((*leading, 3), real)
-    slack = np.empty((*leading, 1), real)
-    least = np.empty((*leading, 3), real)
-    null = np.empty((*leading, 3), real)
+    rates = np.empty((*_leading, 6), _real)
+    ratios = np.empty((*_leading, 4), _real)
+    tracked = np.empty((*_leading, 2), _real)
+    tracked_rate = np.empty((*_leading, 2), _real)
+    verdict = np.empty((*_leading, 5), _real)
+    parabola = np.empty((*_leading, 3), _real)
+    slack = np.empty((*_leading, 1), _real)
+    least = np.empty((*_leading, 3), _real)
+    null = np.empty((*_leading, 3), _real)
     rates[..., 0] = t78
     rates[..., 1] = t79
     rates[..., 2] = t80
@@ -645,4 +645,4 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     null[..., 0] = t37
     null[..., 1] = t35
     null[..., 2] = t34
-    return rates.reshape(leading + (2, 3)), ratios.reshape(leading + (2, 2)), tracked.reshape(leading + (2,)), tracked_rate.reshape(leading + (2,)), verdict.reshape(leading + (5,)), parabola.reshape(leading + (3,)), slack.reshape(leading), least.reshape(leading + (3,)), null.reshape(leading + (3,))
+    return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

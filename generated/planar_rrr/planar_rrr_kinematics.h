@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.h: kinematics of planar_rrr.
- * Made from templates/kernel.h.j2; inputs f1c034426d74239e6329742f1d4b2641181adf3b5bf0d3f8f8da9e4bb83ddc86.
+ * Made from templates/kernel.h.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
  * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

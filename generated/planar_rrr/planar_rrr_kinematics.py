@@ -1,6 +1,6 @@
 """kinematics of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f1c034426d74239e6329742f1d4b2641181adf3b5bf0d3f8f8da9e4bb83ddc86.
+Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
 337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -42,10 +42,10 @@ def position(q, parameters):
     t4 = l1 * s1 + l2 * t2 + l3 * (c3 * t2 + t1 * s3)
 
     # results
-    position = np.empty((*leading, 2), real)
+    position = np.empty((*_leading, 2), _real)
     position[..., 0] = t3
     position[..., 1] = t4
-    return position.reshape(leading + (2,))
+    return position.reshape(_leading + (2,))
 
 
 def pose(q, parameters):
@@ -57,8 +57,8 @@ def pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -81,7 +81,7 @@ def pose(q, parameters):
     t4 = c3 * t2 + t1 * s3
 
     # results
-    pose = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * l2 + t3 * l3
@@ -91,7 +91,7 @@ def pose(q, parameters):
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
     pose[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3))
 
 
 def jacobian_position(q, parameters):
@@ -103,8 +103,8 @@ def jacobian_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -131,14 +131,14 @@ def jacobian_position(q, parameters):
     t8 = t6 + l2 * t3 + t7
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -t5
     jacobian[..., 1] = -(t5 - t1)
     jacobian[..., 2] = -t4
     jacobian[..., 3] = t8
     jacobian[..., 4] = t8 - t6
     jacobian[..., 5] = t7
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_x_alpha(q, parameters):
@@ -150,8 +150,8 @@ def jacobian_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -174,14 +174,14 @@ def jacobian_x_alpha(q, parameters):
     t4 = t1 + t2 * l2 + t3
 
     # results
-    jacobian = np.empty((*leading, 6), real)
+    jacobian = np.empty((*_leading, 6), _real)
     jacobian[..., 0] = -t4
     jacobian[..., 1] = -(t4 - t1)
     jacobian[..., 2] = -t3
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 1.0
-    return jacobian.reshape(leading + (2, 3))
+    return jacobian.reshape(_leading + (2, 3))
 
 
 def jacobian_pose(q, parameters):
@@ -193,8 +193,8 @@ def jacobian_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -221,7 +221,7 @@ def jacobian_pose(q, parameters):
     t8 = t6 + l2 * t3 + t7
 
     # results
-    jacobian = np.empty((*leading, 9), real)
+    jacobian = np.empty((*_leading, 9), _real)
     jacobian[..., 0] = -t5
     jacobian[..., 1] = -(t5 - t1)
     jacobian[..., 2] = -t4
@@ -231,7 +231,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 1.0
-    return jacobian.reshape(leading + (3, 3))
+    return jacobian.reshape(_leading + (3, 3))
 
 
 def kinematics_position(q, parameters):
@@ -244,8 +244,8 @@ def kinematics_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -272,8 +272,8 @@ def kinematics_position(q, parameters):
     t8 = t6 + l2 * t3 + t7
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     position[..., 0] = t5
     position[..., 1] = t8
     jacobian[..., 0] = -t8
@@ -282,7 +282,7 @@ def kinematics_position(q, parameters):
     jacobian[..., 3] = t5
     jacobian[..., 4] = t5 - t1
     jacobian[..., 5] = t4
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3))
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_x_alpha(q, parameters):
@@ -295,8 +295,8 @@ def kinematics_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -322,8 +322,8 @@ def kinematics_x_alpha(q, parameters):
     t7 = t5 + t2 * l2 + t6
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 6), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 6), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = c1 * l1 + t1 * l2 + t3 * l3
@@ -339,7 +339,7 @@ def kinematics_x_alpha(q, parameters):
     jacobian[..., 3] = 1.0
     jacobian[..., 4] = 1.0
     jacobian[..., 5] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (2, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
 def kinematics_pose(q, parameters):
@@ -352,8 +352,8 @@ def kinematics_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -382,8 +382,8 @@ def kinematics_pose(q, parameters):
     t10 = t8 + t2 * l2 + t9
 
     # results
-    pose = np.empty((*leading, 9), real)
-    jacobian = np.empty((*leading, 9), real)
+    pose = np.empty((*_leading, 9), _real)
+    jacobian = np.empty((*_leading, 9), _real)
     pose[..., 0] = t3
     pose[..., 1] = -t4
     pose[..., 2] = t7
@@ -402,7 +402,7 @@ def kinematics_pose(q, parameters):
     jacobian[..., 6] = 1.0
     jacobian[..., 7] = 1.0
     jacobian[..., 8] = 1.0
-    return pose.reshape(leading + (3, 3)), jacobian.reshape(leading + (3, 3))
+    return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))
 
 
 def survey_position(q, parameters):
@@ -416,8 +416,8 @@ def survey_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -448,9 +448,9 @@ def survey_position(q, parameters):
     t12 = s3 * (l2 * l3)
 
     # results
-    position = np.empty((*leading, 2), real)
-    jacobian = np.empty((*leading, 6), real)
-    manipulability = np.empty((*leading, 1), real)
+    position = np.empty((*_leading, 2), _real)
+    jacobian = np.empty((*_leading, 6), _real)
+    manipulability = np.empty((*_leading, 1), _real)
     position[..., 0] = t5
     position[..., 1] = t8
     jacobian[..., 0] = -t8
@@ -460,7 +460,7 @@ def survey_position(q, parameters):
     jacobian[..., 4] = t5 - t1
     jacobian[..., 5] = t4
     manipulability[..., 0] = np.sqrt((t10 * t10 + t11 * t11 + t12 * t12))
-    return position.reshape(leading + (2,)), jacobian.reshape(leading + (2, 3)), manipulability.reshape(leading)
+    return position.reshape(_leading + (2,)), jacobian.reshape(_leading + (2, 3)), manipulability.reshape(_leading)
 
 
 def postures(target, parameters):
@@ -473,8 +473,8 @@ def postures(target, parameters):
     """
     target = np.asarray(target)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(target.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(target, parameters, np.float32)
+    _leading = np.broadcast_shapes(target.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(target, parameters, np.float32)
 
     # inputs, sines and cosines
     y = target[..., 1]
@@ -503,8 +503,8 @@ def postures(target, parameters):
     t14 = t3 + t11
 
     # results
-    q = np.empty((*leading, 6), real)
-    radicand = np.empty((*leading, 1), real)
+    q = np.empty((*_leading, 6), _real)
+    radicand = np.empty((*_leading, 1), _real)
     q[..., 0] = t12
     q[..., 1] = t13
     q[..., 2] = alpha - t13 - t12
@@ -512,4 +512,4 @@ def postures(target, parameters):
     q[..., 4] = -t13
     q[..., 5] = alpha + t13 - t14
     radicand[..., 0] = t7
-    return q.reshape(leading + (2, 3)), radicand.reshape(leading)
+    return q.reshape(_leading + (2, 3)), radicand.reshape(_leading)

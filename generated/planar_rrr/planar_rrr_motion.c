@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 0b2cb16254730afd045ca621273b2e4f6cc7f250eb1d401fced1466b321ee42e.
+ * Made from templates/kernel.c.j2; inputs 0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "0b2cb16254730afd045ca621273b2e4f6cc7f250eb1d401fced1466b321ee42e";
+const char planar_rrr_motion_digest[] = "0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 0b2cb16254730afd045ca621273b2e4f6cc7f250eb1d401fced1466b321ee42e.
+ * Made from templates/kernel.h.j2; inputs 0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

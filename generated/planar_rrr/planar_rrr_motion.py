@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0b2cb16254730afd045ca621273b2e4f6cc7f250eb1d401fced1466b321ee42e.
+Made from templates/kernel.py.j2; inputs 0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -25,8 +25,8 @@ def tip_motion(q, parameters, rates, second, third):
     rates = np.asarray(rates)
     second = np.asarray(second)
     third = np.asarray(third)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
-    real = np.result_type(q, parameters, rates, second, third, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1], rates.shape[:-1], second.shape[:-1], third.shape[:-1])
+    _real = np.result_type(q, parameters, rates, second, third, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -128,8 +128,8 @@ def tip_motion(q, parameters, rates, second, third):
     t74 = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t63 * (t59 * t73 / t53), 0.0), 0.0), 0.0), 0.0)
 
     # results
-    derivatives = np.empty((*leading, 10), real)
-    path = np.empty((*leading, 4), real)
+    derivatives = np.empty((*_leading, 10), _real)
+    path = np.empty((*_leading, 4), _real)
     derivatives[..., 0] = c1 * l1 + t1 * l2 + t3 * l3
     derivatives[..., 1] = l1 * s1 + l2 * t2 + l3 * t4
     derivatives[..., 2] = t11
@@ -144,4 +144,4 @@ def tip_motion(q, parameters, rates, second, third):
     path[..., 1] = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t54 / t53 * t56, 0.0), 0.0), 0.0)
     path[..., 2] = t65
     path[..., 3] = t70 - np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t74, 0.0), 0.0), 0.0)
-    return derivatives.reshape(leading + (5, 2)), path.reshape(leading + (4,))
+    return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,6 +1,6 @@
 """manipulability (pose) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f1c034426d74239e6329742f1d4b2641181adf3b5bf0d3f8f8da9e4bb83ddc86.
+Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
 138 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def manipulability_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -42,9 +42,9 @@ def manipulability_pose(q, parameters):
     t7 = t2 * t4 - t4 * t5 + (t3 * t5 - t6) - (t2 * t3 - t6)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.abs(t7)
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q, parameters):
@@ -59,8 +59,8 @@ def manipulability_gradient_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -98,10 +98,10 @@ def manipulability_gradient_pose(q, parameters):
     t22 = -0.5 / t8 * np.sqrt(t20)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 3), real)
-    inverse_gradient = np.empty((*leading, 3), real)
-    inverse_root_gradient = np.empty((*leading, 3), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 3), _real)
+    inverse_gradient = np.empty((*_leading, 3), _real)
+    inverse_root_gradient = np.empty((*_leading, 3), _real)
     manipulability[..., 0] = t8
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t8 != 0.0, t18, 0.0)
@@ -112,7 +112,7 @@ def manipulability_gradient_pose(q, parameters):
     inverse_root_gradient[..., 0] = 0.0
     inverse_root_gradient[..., 1] = np.where(t8 != 0.0, t18 * t22, 0.0)
     inverse_root_gradient[..., 2] = np.where(t8 != 0.0, t19 * t22, 0.0)
-    return manipulability.reshape(leading), gradient.reshape(leading + (3,)), inverse_gradient.reshape(leading + (3,)), inverse_root_gradient.reshape(leading + (3,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (3,)), inverse_gradient.reshape(_leading + (3,)), inverse_root_gradient.reshape(_leading + (3,))
 
 
 def minors_pose(q, parameters):
@@ -124,8 +124,8 @@ def minors_pose(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -148,6 +148,6 @@ def minors_pose(q, parameters):
     t7 = t2 * t4 - t4 * t5 + (t3 * t5 - t6) - (t2 * t3 - t6)
 
     # results
-    minors = np.empty((*leading, 1), real)
+    minors = np.empty((*_leading, 1), _real)
     minors[..., 0] = t7
-    return minors.reshape(leading + (1,))
+    return minors.reshape(_leading + (1,))

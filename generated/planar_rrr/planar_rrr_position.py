@@ -1,6 +1,6 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f1c034426d74239e6329742f1d4b2641181adf3b5bf0d3f8f8da9e4bb83ddc86.
+Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
 245 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def manipulability_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -39,9 +39,9 @@ def manipulability_position(q, parameters):
     t4 = s3 * (l2 * l3)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt((t2 * t2 + t3 * t3 + t4 * t4))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q, parameters):
@@ -56,8 +56,8 @@ def manipulability_gradient_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -88,10 +88,10 @@ def manipulability_gradient_position(q, parameters):
     t15 = -0.5 / t6 * np.sqrt(t13)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 3), real)
-    inverse_gradient = np.empty((*leading, 3), real)
-    inverse_root_gradient = np.empty((*leading, 3), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 3), _real)
+    inverse_gradient = np.empty((*_leading, 3), _real)
+    inverse_root_gradient = np.empty((*_leading, 3), _real)
     manipulability[..., 0] = t6
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t6 != 0.0, t10, 0.0)
@@ -102,7 +102,7 @@ def manipulability_gradient_position(q, parameters):
     inverse_root_gradient[..., 0] = 0.0
     inverse_root_gradient[..., 1] = np.where(t6 != 0.0, t10 * t15, 0.0)
     inverse_root_gradient[..., 2] = np.where(t6 != 0.0, t12 * t15, 0.0)
-    return manipulability.reshape(leading), gradient.reshape(leading + (3,)), inverse_gradient.reshape(leading + (3,)), inverse_root_gradient.reshape(leading + (3,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (3,)), inverse_gradient.reshape(_leading + (3,)), inverse_root_gradient.reshape(_leading + (3,))
 
 
 def minors_position(q, parameters):
@@ -114,8 +114,8 @@ def minors_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -132,11 +132,11 @@ def minors_position(q, parameters):
     t1 = c2 * s3 + s2 * c3
 
     # results
-    minors = np.empty((*leading, 3), real)
+    minors = np.empty((*_leading, 3), _real)
     minors[..., 0] = l1 * (l2 * s2 + l3 * t1)
     minors[..., 1] = l3 * (l1 * t1 + l2 * s3)
     minors[..., 2] = s3 * (l2 * l3)
-    return minors.reshape(leading + (3,))
+    return minors.reshape(_leading + (3,))
 
 
 def null_vector_position(q, parameters):
@@ -148,8 +148,8 @@ def null_vector_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l2 = parameters[..., 1]
@@ -166,11 +166,11 @@ def null_vector_position(q, parameters):
     t1 = s3 * c2 + c3 * s2
 
     # results
-    null_vector = np.empty((*leading, 3), real)
+    null_vector = np.empty((*_leading, 3), _real)
     null_vector[..., 0] = l2 * l3 * s3
     null_vector[..., 1] = -(l3 * (l1 * t1 + l2 * s3))
     null_vector[..., 2] = l1 * (l2 * s2 + l3 * t1)
-    return null_vector.reshape(leading + (3,))
+    return null_vector.reshape(_leading + (3,))
 
 
 def null_projector_position(q, parameters):
@@ -182,8 +182,8 @@ def null_projector_position(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -237,7 +237,7 @@ def null_projector_position(q, parameters):
     t38 = 1.0 - np.where(t8 != 0.0, np.where(t8 != 0.0, t15 * t15, 0.0), 0.0) - np.where(t30 != 0.0, np.where(t30 != 0.0, t35 * t35, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 9), real)
+    null_projector = np.empty((*_leading, 9), _real)
     null_projector[..., 0] = t11 - np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t31, 0.0), 0.0)
     null_projector[..., 1] = t33
     null_projector[..., 2] = t36
@@ -247,4 +247,4 @@ def null_projector_position(q, parameters):
     null_projector[..., 6] = t36
     null_projector[..., 7] = t37
     null_projector[..., 8] = t38
-    return null_projector.reshape(leading + (3, 3))
+    return null_projector.reshape(_leading + (3, 3))

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 30a6608496166d35684de0c60195b3e11222096e00c8aa7e778552d0736fd43e.
+ * Made from templates/kernel.c.j2; inputs cb5a2a8bb0a8e47c6d5ba75fbf9c24d7ef67c1af37892b8c2470589176924f0d.
  * 997 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "30a6608496166d35684de0c60195b3e11222096e00c8aa7e778552d0736fd43e";
+const char planar_rrr_speed_ratio_digest[] = "cb5a2a8bb0a8e47c6d5ba75fbf9c24d7ef67c1af37892b8c2470589176924f0d";
 #endif
 
 #define LANES 64

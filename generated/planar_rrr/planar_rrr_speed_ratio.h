@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.h: speed ratio of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 30a6608496166d35684de0c60195b3e11222096e00c8aa7e778552d0736fd43e.
+ * Made from templates/kernel.h.j2; inputs cb5a2a8bb0a8e47c6d5ba75fbf9c24d7ef67c1af37892b8c2470589176924f0d.
  * 997 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.c: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs f1c034426d74239e6329742f1d4b2641181adf3b5bf0d3f8f8da9e4bb83ddc86.
+ * Made from templates/kernel.c.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
  * 311 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_x_alpha_digest[] = "f1c034426d74239e6329742f1d4b2641181adf3b5bf0d3f8f8da9e4bb83ddc86";
+const char planar_rrr_x_alpha_digest[] = "fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd";
 #endif
 
 #define LANES 64

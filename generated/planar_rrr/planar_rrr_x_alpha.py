@@ -1,6 +1,6 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f1c034426d74239e6329742f1d4b2641181adf3b5bf0d3f8f8da9e4bb83ddc86.
+Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
 311 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -18,8 +18,8 @@ def manipulability_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -46,9 +46,9 @@ def manipulability_x_alpha(q, parameters):
     t8 = t4 - t6
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt((t7 * t7 + t3 * t3 + t8 * t8))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_x_alpha(q, parameters):
@@ -63,8 +63,8 @@ def manipulability_gradient_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -108,10 +108,10 @@ def manipulability_gradient_x_alpha(q, parameters):
     t25 = -0.5 / t10 * np.sqrt(t23)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 3), real)
-    inverse_gradient = np.empty((*leading, 3), real)
-    inverse_root_gradient = np.empty((*leading, 3), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 3), _real)
+    inverse_gradient = np.empty((*_leading, 3), _real)
+    inverse_root_gradient = np.empty((*_leading, 3), _real)
     manipulability[..., 0] = t10
     gradient[..., 0] = np.where(t10 != 0.0, t20, 0.0)
     gradient[..., 1] = np.where(t10 != 0.0, t21, 0.0)
@@ -122,7 +122,7 @@ def manipulability_gradient_x_alpha(q, parameters):
     inverse_root_gradient[..., 0] = np.where(t10 != 0.0, t20 * t25, 0.0)
     inverse_root_gradient[..., 1] = np.where(t10 != 0.0, t21 * t25, 0.0)
     inverse_root_gradient[..., 2] = np.where(t10 != 0.0, t22 * t25, 0.0)
-    return manipulability.reshape(leading), gradient.reshape(leading + (3,)), inverse_gradient.reshape(leading + (3,)), inverse_root_gradient.reshape(leading + (3,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (3,)), inverse_gradient.reshape(_leading + (3,)), inverse_root_gradient.reshape(_leading + (3,))
 
 
 def minors_x_alpha(q, parameters):
@@ -134,8 +134,8 @@ def minors_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -160,11 +160,11 @@ def minors_x_alpha(q, parameters):
     t6 = t5 - t1
 
     # results
-    minors = np.empty((*leading, 3), real)
+    minors = np.empty((*_leading, 3), _real)
     minors[..., 0] = t6 - t5
     minors[..., 1] = -t3
     minors[..., 2] = t4 - t6
-    return minors.reshape(leading + (3,))
+    return minors.reshape(_leading + (3,))
 
 
 def null_vector_x_alpha(q, parameters):
@@ -176,8 +176,8 @@ def null_vector_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     q3 = q[..., 2]
@@ -202,11 +202,11 @@ def null_vector_x_alpha(q, parameters):
     t6 = t5 - t3
 
     # results
-    null_vector = np.empty((*leading, 3), real)
+    null_vector = np.empty((*_leading, 3), _real)
     null_vector[..., 0] = t2 - t6
     null_vector[..., 1] = t4
     null_vector[..., 2] = t6 - t5
-    return null_vector.reshape(leading + (3,))
+    return null_vector.reshape(_leading + (3,))
 
 
 def null_projector_x_alpha(q, parameters):
@@ -218,8 +218,8 @@ def null_projector_x_alpha(q, parameters):
     """
     q = np.asarray(q)
     parameters = np.asarray(parameters)
-    leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
-    real = np.result_type(q, parameters, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1], parameters.shape[:-1])
+    _real = np.result_type(q, parameters, np.float32)
 
     # inputs, sines and cosines
     l1 = parameters[..., 0]
@@ -276,7 +276,7 @@ def null_projector_x_alpha(q, parameters):
     t38 = 1.0 - np.where(t10 != 0.0, np.where(t10 != 0.0, t13 * t13, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t32 * t32, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 9), real)
+    null_projector = np.empty((*_leading, 9), _real)
     null_projector[..., 0] = t28
     null_projector[..., 1] = t31
     null_projector[..., 2] = t34
@@ -286,4 +286,4 @@ def null_projector_x_alpha(q, parameters):
     null_projector[..., 6] = t34
     null_projector[..., 7] = t37
     null_projector[..., 8] = t38
-    return null_projector.reshape(leading + (3, 3))
+    return null_projector.reshape(_leading + (3, 3))

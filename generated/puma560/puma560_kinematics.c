@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 86e5c3564ac51d58d391ae7efa9c76b735f43dbf4d14ea7f8e7157cc12f1348d.
+ * Made from templates/kernel.c.j2; inputs bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "86e5c3564ac51d58d391ae7efa9c76b735f43dbf4d14ea7f8e7157cc12f1348d";
+const char puma560_kinematics_digest[] = "bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 86e5c3564ac51d58d391ae7efa9c76b735f43dbf4d14ea7f8e7157cc12f1348d.
+ * Made from templates/kernel.h.j2; inputs bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

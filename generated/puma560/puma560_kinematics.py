@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 86e5c3564ac51d58d391ae7efa9c76b735f43dbf4d14ea7f8e7157cc12f1348d.
+Made from templates/kernel.py.j2; inputs bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -40,11 +40,11 @@ def position(q):
     t7 = 0.4318 * s2 + 0.0203 * (c2 * s3 + c3 * s2) + 0.4318 * (c2 * c3 - s3 * s2)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t3 - 0.4318 * (c3 * t2 + t1 * s3)
     position[..., 1] = t6 - 0.4318 * (c3 * t5 + s3 * t4)
     position[..., 2] = t7
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -54,8 +54,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -101,7 +101,7 @@ def pose(q):
     t21 = s4 * t17
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = c6 * t6 - s6 * t7
     pose[..., 1] = -(c6 * t7 + t6 * s6)
     pose[..., 2] = -(c5 * t5 + t4 * s5)
@@ -118,7 +118,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -128,8 +128,8 @@ def jacobian_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -156,7 +156,7 @@ def jacobian_position(q):
     t11 = t9 + 0.0203 * (c3 * t8 - s3 * t10) - 0.4318 * (c3 * t10 + s3 * t8)
 
     # results
-    jacobian = np.empty((*leading, 18), real)
+    jacobian = np.empty((*_leading, 18), _real)
     jacobian[..., 0] = -t4
     jacobian[..., 1] = -(c1 * t6)
     jacobian[..., 2] = -(c1 * t7)
@@ -175,7 +175,7 @@ def jacobian_position(q):
     jacobian[..., 15] = 0.0
     jacobian[..., 16] = 0.0
     jacobian[..., 17] = 0.0
-    return jacobian.reshape(leading + (3, 6))
+    return jacobian.reshape(_leading + (3, 6))
 
 
 def jacobian_pose(q):
@@ -185,8 +185,8 @@ def jacobian_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -228,7 +228,7 @@ def jacobian_pose(q):
     t20 = -(t5 * c5 + s5 * (c1 * s4 + t4 * c4))
 
     # results
-    jacobian = np.empty((*leading, 36), real)
+    jacobian = np.empty((*_leading, 36), _real)
     jacobian[..., 0] = -t6
     jacobian[..., 1] = -(c1 * t10)
     jacobian[..., 2] = -(c1 * t11)
@@ -265,7 +265,7 @@ def jacobian_pose(q):
     jacobian[..., 33] = t9
     jacobian[..., 34] = t8 * s4
     jacobian[..., 35] = t9 * c5 - s5 * (t8 * c4)
-    return jacobian.reshape(leading + (6, 6))
+    return jacobian.reshape(_leading + (6, 6))
 
 
 def kinematics_position(q):
@@ -276,8 +276,8 @@ def kinematics_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -304,8 +304,8 @@ def kinematics_position(q):
     t11 = t10 - t9
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 18), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 18), _real)
     position[..., 0] = t4
     position[..., 1] = t8
     position[..., 2] = t10
@@ -327,7 +327,7 @@ def kinematics_position(q):
     jacobian[..., 15] = 0.0
     jacobian[..., 16] = 0.0
     jacobian[..., 17] = 0.0
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 6))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 6))
 
 
 def kinematics_pose(q):
@@ -338,8 +338,8 @@ def kinematics_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -394,8 +394,8 @@ def kinematics_pose(q):
     t30 = -c1
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 36), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 36), _real)
     pose[..., 0] = c6 * t6 - s6 * t7
     pose[..., 1] = -(c6 * t7 + t6 * s6)
     pose[..., 2] = t8
@@ -448,4 +448,4 @@ def kinematics_pose(q):
     jacobian[..., 33] = t23
     jacobian[..., 34] = t25
     jacobian[..., 35] = t26
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 6))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 6))

@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 588d5dba82d12f9094880166a8d5cb57f6f5357e949d474bfa6fd51325c673a1.
+Made from templates/kernel.py.j2; inputs 177a9dff9b3ca1c8038ec5e8e5890ec8222e781a63663dd03524b8eb4f9cd3a8.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -54,9 +54,9 @@ def manipulability_pose(q):
     t19 = (t7 * t16 - t13 * t17) * (s4 * t3 - c4 * t12)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.abs(((t15 + t18 + t19) * s5))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -69,8 +69,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -150,10 +150,10 @@ def manipulability_gradient_pose(q):
     t61 = -0.5 / t27 * np.sqrt(t59)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t27
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t27 != 0.0, t38, 0.0)
@@ -173,7 +173,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 3] = np.where(t27 != 0.0, t57 * t61, 0.0)
     inverse_root_gradient[..., 4] = np.where(t27 != 0.0, t58 * t61, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_pose(q):
@@ -183,8 +183,8 @@ def minors_pose(q):
     out  minors[1]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q4 = q[..., 3]
@@ -221,6 +221,6 @@ def minors_pose(q):
     t19 = (t7 * t16 - t13 * t17) * (s4 * t3 - c4 * t12)
 
     # results
-    minors = np.empty((*leading, 1), real)
+    minors = np.empty((*_leading, 1), _real)
     minors[..., 0] = (t15 + t18 + t19) * s5
-    return minors.reshape(leading + (1,))
+    return minors.reshape(_leading + (1,))

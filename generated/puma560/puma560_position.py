@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 588d5dba82d12f9094880166a8d5cb57f6f5357e949d474bfa6fd51325c673a1.
+Made from templates/kernel.py.j2; inputs 177a9dff9b3ca1c8038ec5e8e5890ec8222e781a63663dd03524b8eb4f9cd3a8.
 435 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -37,9 +37,9 @@ def manipulability_position(q):
     t7 = t4 * (t4 - t1) * t6 - t4 * t4 * (t6 - t5)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.abs(t7)
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -52,8 +52,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -94,10 +94,10 @@ def manipulability_gradient_position(q):
     t28 = -0.5 / t12 * np.sqrt(t26)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t12
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t12 != 0.0, t24, 0.0)
@@ -117,7 +117,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 3] = 0.0
     inverse_root_gradient[..., 4] = 0.0
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_position(q):
@@ -127,8 +127,8 @@ def minors_position(q):
     out  minors[20]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -148,7 +148,7 @@ def minors_position(q):
     t7 = t4 * (t4 - t1) * t6 - t4 * t4 * (t6 - t5)
 
     # results
-    minors = np.empty((*leading, 20), real)
+    minors = np.empty((*_leading, 20), _real)
     minors[..., 0] = t7
     minors[..., 1] = 0.0
     minors[..., 2] = 0.0
@@ -169,7 +169,7 @@ def minors_position(q):
     minors[..., 17] = 0.0
     minors[..., 18] = 0.0
     minors[..., 19] = 0.0
-    return minors.reshape(leading + (20,))
+    return minors.reshape(_leading + (20,))
 
 
 def null_projector_position(q):
@@ -179,8 +179,8 @@ def null_projector_position(q):
     out  null_projector[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -261,7 +261,7 @@ def null_projector_position(q):
     t68 = 1.0 - np.where(t11 != 0.0, np.where(t11 != 0.0, t19 * t19, 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t39 * t39, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 36), real)
+    null_projector = np.empty((*_leading, 36), _real)
     null_projector[..., 0] = t31 - np.where(t57 != 0.0, np.where(t57 != 0.0, t58 * t58, 0.0), 0.0)
     null_projector[..., 1] = t61
     null_projector[..., 2] = t64
@@ -298,4 +298,4 @@ def null_projector_position(q):
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
     null_projector[..., 35] = 1.0
-    return null_projector.reshape(leading + (6, 6))
+    return null_projector.reshape(_leading + (6, 6))

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs bfd8940834ff7a3edf54dca8c56aebe1579fd8b792ea15b1e7f6b2ceeebfe242.
+ * Made from templates/kernel.h.j2; inputs 956d4526e9e10e0ca7229414c5772d5a761d32a6db4a16e4b81a388f1ed0b129.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bfd8940834ff7a3edf54dca8c56aebe1579fd8b792ea15b1e7f6b2ceeebfe242.
+Made from templates/kernel.py.j2; inputs 956d4526e9e10e0ca7229414c5772d5a761d32a6db4a16e4b81a388f1ed0b129.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -67,11 +67,11 @@ def position(q):
     t22 = 0.125 * (c7 * (c6 * t19 + s6 * t18) + s7 * t20)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t7 - t8
     position[..., 1] = t13 - t14
     position[..., 2] = t21 - t22
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -81,8 +81,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q8 = q[..., 7]
@@ -150,7 +150,7 @@ def pose(q):
     t37 = 0.2 * t30 - (0.25 * t25 + 0.2 * t28) + 0.2 * t32
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = c8 * t10 + s8 * t11
     pose[..., 1] = c8 * t11 - t10 * s8
     pose[..., 2] = -t12
@@ -167,7 +167,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -177,8 +177,8 @@ def jacobian_position(q):
     out  jacobian[3][8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -255,7 +255,7 @@ def jacobian_position(q):
     t49 = t45 - t43
 
     # results
-    jacobian = np.empty((*leading, 24), real)
+    jacobian = np.empty((*_leading, 24), _real)
     jacobian[..., 0] = t13
     jacobian[..., 1] = c1 * t24
     jacobian[..., 2] = c2 * t25 + t4 * t26
@@ -280,7 +280,7 @@ def jacobian_position(q):
     jacobian[..., 21] = -(t29 * t48 + t28 * t47)
     jacobian[..., 22] = -(t32 * t48 + t28 * t49)
     jacobian[..., 23] = t23 * t49 - t32 * t44
-    return jacobian.reshape(leading + (3, 8))
+    return jacobian.reshape(_leading + (3, 8))
 
 
 def jacobian_pose(q):
@@ -290,8 +290,8 @@ def jacobian_pose(q):
     out  jacobian[6][8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -369,7 +369,7 @@ def jacobian_pose(q):
     t50 = -t48
 
     # results
-    jacobian = np.empty((*leading, 48), real)
+    jacobian = np.empty((*_leading, 48), _real)
     jacobian[..., 0] = t13
     jacobian[..., 1] = c1 * t24
     jacobian[..., 2] = c2 * t25 + t4 * t26
@@ -418,7 +418,7 @@ def jacobian_pose(q):
     jacobian[..., 45] = t30
     jacobian[..., 46] = t30
     jacobian[..., 47] = -t12
-    return jacobian.reshape(leading + (6, 8))
+    return jacobian.reshape(_leading + (6, 8))
 
 
 def kinematics_position(q):
@@ -429,8 +429,8 @@ def kinematics_position(q):
     out  jacobian[3][8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -507,8 +507,8 @@ def kinematics_position(q):
     t49 = t13 - t11
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 24), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 24), _real)
     position[..., 0] = t13
     position[..., 1] = t24
     position[..., 2] = t37
@@ -536,7 +536,7 @@ def kinematics_position(q):
     jacobian[..., 21] = -(t42 * t48 + t41 * t47)
     jacobian[..., 22] = -(t45 * t48 + t41 * t49)
     jacobian[..., 23] = t23 * t49 - t12 * t45
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 8))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 8))
 
 
 def kinematics_pose(q):
@@ -547,8 +547,8 @@ def kinematics_pose(q):
     out  jacobian[6][8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q8 = q[..., 7]
@@ -638,8 +638,8 @@ def kinematics_pose(q):
     t59 = -t11
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 48), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 48), _real)
     pose[..., 0] = c8 * t10 + s8 * t11
     pose[..., 1] = c8 * t11 - t10 * s8
     pose[..., 2] = t13
@@ -704,4 +704,4 @@ def kinematics_pose(q):
     jacobian[..., 45] = t43
     jacobian[..., 46] = t43
     jacobian[..., 47] = t45
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 8))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 8))

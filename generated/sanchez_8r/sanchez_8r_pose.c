@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 466a84a612e979fa4ecce211cc26cde5dfbe83dbc948cccf33869e481460088a.
+ * Made from templates/kernel.c.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "466a84a612e979fa4ecce211cc26cde5dfbe83dbc948cccf33869e481460088a";
+const char sanchez_8r_pose_digest[] = "e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff";
 #endif
 
 #define LANES 32

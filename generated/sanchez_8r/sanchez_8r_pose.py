@@ -1,6 +1,6 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 466a84a612e979fa4ecce211cc26cde5dfbe83dbc948cccf33869e481460088a.
+Made from templates/kernel.py.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
 3779 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -162,9 +162,9 @@ def manipulability_pose(q):
     t120 = t115 + t116 * t116 + t117 * t117 + t118 * t118 + t119 * t119
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt(t120)
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -177,8 +177,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -498,10 +498,10 @@ def manipulability_gradient_pose(q):
     t295 = -0.5 / t124 * np.sqrt(t293)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 8), real)
-    inverse_gradient = np.empty((*leading, 8), real)
-    inverse_root_gradient = np.empty((*leading, 8), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 8), _real)
+    inverse_gradient = np.empty((*_leading, 8), _real)
+    inverse_root_gradient = np.empty((*_leading, 8), _real)
     manipulability[..., 0] = t124
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t124 != 0.0, t199, 0.0)
@@ -527,7 +527,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 5] = np.where(t124 != 0.0, t291 * t295, 0.0)
     inverse_root_gradient[..., 6] = np.where(t124 != 0.0, t292 * t295, 0.0)
     inverse_root_gradient[..., 7] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (8,)), inverse_gradient.reshape(leading + (8,)), inverse_root_gradient.reshape(leading + (8,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (8,)), inverse_gradient.reshape(_leading + (8,)), inverse_root_gradient.reshape(_leading + (8,))
 
 
 def minors_pose(q):
@@ -537,8 +537,8 @@ def minors_pose(q):
     out  minors[28]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -660,7 +660,7 @@ def minors_pose(q):
     t97 = t70 + c5 * t85 + t3 * t93 - t53 - t19 * t95
 
     # results
-    minors = np.empty((*leading, 28), real)
+    minors = np.empty((*_leading, 28), _real)
     minors[..., 0] = c5 * t23 + t3 * t24
     minors[..., 1] = c5 * t32 + t3 * t33
     minors[..., 2] = c5 * t40 + t3 * t41
@@ -689,7 +689,7 @@ def minors_pose(q):
     minors[..., 25] = -(t73 - t19 * t82 - t60 - t3 * t84)
     minors[..., 26] = -(t52 + (t19 * t91 - (t69 + c5 * t84)))
     minors[..., 27] = c5 * t82 + t3 * t91
-    return minors.reshape(leading + (28,))
+    return minors.reshape(_leading + (28,))
 
 
 def null_projector_pose(q):
@@ -699,8 +699,8 @@ def null_projector_pose(q):
     out  null_projector[8][8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -1105,7 +1105,7 @@ def null_projector_pose(q):
     t380 = t379 - np.where(t134 != 0.0, np.where(t134 != 0.0, t154 * t154, 0.0), 0.0) - np.where(t207 != 0.0, np.where(t207 != 0.0, t241 * t241, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 64), real)
+    null_projector = np.empty((*_leading, 64), _real)
     null_projector[..., 0] = t299
     null_projector[..., 1] = t304
     null_projector[..., 2] = t307
@@ -1170,4 +1170,4 @@ def null_projector_pose(q):
     null_projector[..., 61] = t372
     null_projector[..., 62] = t378
     null_projector[..., 63] = t380 - np.where(t297 != 0.0, np.where(t297 != 0.0, t324 * t324, 0.0), 0.0)
-    return null_projector.reshape(leading + (8, 8))
+    return null_projector.reshape(_leading + (8, 8))

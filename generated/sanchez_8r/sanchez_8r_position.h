@@ -1,5 +1,5 @@
 /* sanchez_8r_position.h: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 466a84a612e979fa4ecce211cc26cde5dfbe83dbc948cccf33869e481460088a.
+ * Made from templates/kernel.h.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

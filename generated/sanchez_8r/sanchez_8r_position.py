@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 466a84a612e979fa4ecce211cc26cde5dfbe83dbc948cccf33869e481460088a.
+Made from templates/kernel.py.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
 2301 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -144,9 +144,9 @@ def manipulability_position(q):
     t102 = np.sqrt((t98 + t99 * t99 + t100 * t100 + t101 * t101))
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = t102
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -159,8 +159,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -399,10 +399,10 @@ def manipulability_gradient_position(q):
     t214 = -0.5 / t102 * np.sqrt(t212)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 8), real)
-    inverse_gradient = np.empty((*leading, 8), real)
-    inverse_root_gradient = np.empty((*leading, 8), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 8), _real)
+    inverse_gradient = np.empty((*_leading, 8), _real)
+    inverse_root_gradient = np.empty((*_leading, 8), _real)
     manipulability[..., 0] = t102
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t102 != 0.0, t127, 0.0)
@@ -428,7 +428,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 5] = np.where(t102 != 0.0, t205 * t214, 0.0)
     inverse_root_gradient[..., 6] = np.where(t102 != 0.0, t211 * t214, 0.0)
     inverse_root_gradient[..., 7] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (8,)), inverse_gradient.reshape(leading + (8,)), inverse_root_gradient.reshape(leading + (8,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (8,)), inverse_gradient.reshape(_leading + (8,)), inverse_root_gradient.reshape(_leading + (8,))
 
 
 def minors_position(q):
@@ -438,8 +438,8 @@ def minors_position(q):
     out  minors[56]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -522,7 +522,7 @@ def minors_position(q):
     t58 = t1 * t47
 
     # results
-    minors = np.empty((*leading, 56), real)
+    minors = np.empty((*_leading, 56), _real)
     minors[..., 0] = t33 * t35 + t38 * t39 + t40 * t41
     minors[..., 1] = t33 * t42 + t39 * t45 + t41 * t46
     minors[..., 2] = -(t39 * t48 + t41 * t49)
@@ -579,7 +579,7 @@ def minors_position(q):
     minors[..., 53] = 0.0
     minors[..., 54] = 0.0
     minors[..., 55] = 0.0
-    return minors.reshape(leading + (56,))
+    return minors.reshape(_leading + (56,))
 
 
 def null_projector_position(q):
@@ -589,8 +589,8 @@ def null_projector_position(q):
     out  null_projector[8][8]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q7 = q[..., 6]
@@ -799,7 +799,7 @@ def null_projector_position(q):
     t184 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t63 * t63, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t100, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 64), real)
+    null_projector = np.empty((*_leading, 64), _real)
     null_projector[..., 0] = t83 - np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t137, 0.0), 0.0)
     null_projector[..., 1] = t140
     null_projector[..., 2] = t143
@@ -864,4 +864,4 @@ def null_projector_position(q):
     null_projector[..., 61] = 0.0
     null_projector[..., 62] = 0.0
     null_projector[..., 63] = 1.0
-    return null_projector.reshape(leading + (8, 8))
+    return null_projector.reshape(_leading + (8, 8))

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 630a5face44a32edeefaf164251400e157c47d408dfd4bddb10611c00681e496.
+ * Made from templates/kernel.c.j2; inputs 9be8958d43c41f8f587a95f19e09bd352e5ca1b76aee841e4dce03a9500b1762.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "630a5face44a32edeefaf164251400e157c47d408dfd4bddb10611c00681e496";
+const char ur5e_kinematics_digest[] = "9be8958d43c41f8f587a95f19e09bd352e5ca1b76aee841e4dce03a9500b1762";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 630a5face44a32edeefaf164251400e157c47d408dfd4bddb10611c00681e496.
+Made from templates/kernel.py.j2; inputs 9be8958d43c41f8f587a95f19e09bd352e5ca1b76aee841e4dce03a9500b1762.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def position(q):
     out  position[3]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -54,11 +54,11 @@ def position(q):
     t15 = 0.1625 - 0.425 * s2 - 0.3922 * t13 - 0.0997 * (c4 * t14 - s4 * t13)
 
     # results
-    position = np.empty((*leading, 3), real)
+    position = np.empty((*_leading, 3), _real)
     position[..., 0] = t5 + t6
     position[..., 1] = t11 - t12
     position[..., 2] = t15 - 0.0996 * (s5 * (c4 * t13 + s4 * t14))
-    return position.reshape(leading + (3,))
+    return position.reshape(_leading + (3,))
 
 
 def pose(q):
@@ -68,8 +68,8 @@ def pose(q):
     out  pose[4][4]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -119,7 +119,7 @@ def pose(q):
     t25 = 0.1625 - 0.425 * s2 - 0.3922 * t19 - 0.0997 * t23 - 0.0996 * t24
 
     # results
-    pose = np.empty((*leading, 16), real)
+    pose = np.empty((*_leading, 16), _real)
     pose[..., 0] = c6 * t6 - s6 * t7
     pose[..., 1] = -(c6 * t7 + t6 * s6)
     pose[..., 2] = t8
@@ -136,7 +136,7 @@ def pose(q):
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
     pose[..., 15] = 1.0
-    return pose.reshape(leading + (4, 4))
+    return pose.reshape(_leading + (4, 4))
 
 
 def jacobian_position(q):
@@ -146,8 +146,8 @@ def jacobian_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -200,7 +200,7 @@ def jacobian_position(q):
     t31 = t27 + 0.0997 * t29 + t30
 
     # results
-    jacobian = np.empty((*leading, 18), real)
+    jacobian = np.empty((*_leading, 18), _real)
     jacobian[..., 0] = -t10
     jacobian[..., 1] = -(c1 * t18)
     jacobian[..., 2] = -(c1 * t19)
@@ -219,7 +219,7 @@ def jacobian_position(q):
     jacobian[..., 15] = c1 * (t31 - t27) + s1 * (t10 - t5)
     jacobian[..., 16] = t21 * t29 - t7 * t30
     jacobian[..., 17] = 0.0
-    return jacobian.reshape(leading + (3, 6))
+    return jacobian.reshape(_leading + (3, 6))
 
 
 def jacobian_pose(q):
@@ -229,8 +229,8 @@ def jacobian_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -286,7 +286,7 @@ def jacobian_pose(q):
     t34 = -c1
 
     # results
-    jacobian = np.empty((*leading, 36), real)
+    jacobian = np.empty((*_leading, 36), _real)
     jacobian[..., 0] = -t10
     jacobian[..., 1] = -(c1 * t19)
     jacobian[..., 2] = -(c1 * t20)
@@ -323,7 +323,7 @@ def jacobian_pose(q):
     jacobian[..., 33] = 0.0
     jacobian[..., 34] = -t15
     jacobian[..., 35] = -t17
-    return jacobian.reshape(leading + (6, 6))
+    return jacobian.reshape(_leading + (6, 6))
 
 
 def kinematics_position(q):
@@ -334,8 +334,8 @@ def kinematics_position(q):
     out  jacobian[3][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q1 = q[..., 0]
@@ -388,8 +388,8 @@ def kinematics_position(q):
     t31 = t26 - t25
 
     # results
-    position = np.empty((*leading, 3), real)
-    jacobian = np.empty((*leading, 18), real)
+    position = np.empty((*_leading, 3), _real)
+    jacobian = np.empty((*_leading, 18), _real)
     position[..., 0] = t9
     position[..., 1] = t19
     position[..., 2] = t26
@@ -411,7 +411,7 @@ def kinematics_position(q):
     jacobian[..., 15] = c1 * (t9 - t5) + s1 * (t19 - t14)
     jacobian[..., 16] = t7 * t30 - t8 * t16
     jacobian[..., 17] = 0.0
-    return position.reshape(leading + (3,)), jacobian.reshape(leading + (3, 6))
+    return position.reshape(_leading + (3,)), jacobian.reshape(_leading + (3, 6))
 
 
 def kinematics_pose(q):
@@ -422,8 +422,8 @@ def kinematics_pose(q):
     out  jacobian[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q6 = q[..., 5]
@@ -490,8 +490,8 @@ def kinematics_pose(q):
     t42 = -c1
 
     # results
-    pose = np.empty((*leading, 16), real)
-    jacobian = np.empty((*leading, 36), real)
+    pose = np.empty((*_leading, 16), _real)
+    jacobian = np.empty((*_leading, 36), _real)
     pose[..., 0] = c6 * t6 - s6 * t7
     pose[..., 1] = -(c6 * t7 + t6 * s6)
     pose[..., 2] = t8
@@ -544,4 +544,4 @@ def kinematics_pose(q):
     jacobian[..., 33] = 0.0
     jacobian[..., 34] = -t30
     jacobian[..., 35] = t32
-    return pose.reshape(leading + (4, 4)), jacobian.reshape(leading + (6, 6))
+    return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 6))

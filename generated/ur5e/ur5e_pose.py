@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 78dc4c3485a8d2c13c1178d7a3b20927f3df2b8684849031247db42b94d8ab3c.
+Made from templates/kernel.py.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_pose(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -44,9 +44,9 @@ def manipulability_pose(q):
     t9 = t8 + t7 * (-0.0997 * s5)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.abs((t1 * (t6 * t9) - t3 * (t5 * t9)))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_pose(q):
@@ -59,8 +59,8 @@ def manipulability_gradient_pose(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -115,10 +115,10 @@ def manipulability_gradient_pose(q):
     t36 = -0.5 / t15 * np.sqrt(t34)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t15
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t15 != 0.0, t23, 0.0)
@@ -138,7 +138,7 @@ def manipulability_gradient_pose(q):
     inverse_root_gradient[..., 3] = np.where(t15 != 0.0, t32 * t36, 0.0)
     inverse_root_gradient[..., 4] = np.where(t15 != 0.0, t33 * t36, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_pose(q):
@@ -148,8 +148,8 @@ def minors_pose(q):
     out  minors[1]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -176,6 +176,6 @@ def minors_pose(q):
     t9 = t8 + t7 * (-0.0997 * s5)
 
     # results
-    minors = np.empty((*leading, 1), real)
+    minors = np.empty((*_leading, 1), _real)
     minors[..., 0] = t1 * (t6 * t9) - t3 * (t5 * t9)
-    return minors.reshape(leading + (1,))
+    return minors.reshape(_leading + (1,))

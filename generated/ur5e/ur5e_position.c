@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 78dc4c3485a8d2c13c1178d7a3b20927f3df2b8684849031247db42b94d8ab3c.
+ * Made from templates/kernel.c.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
  * 1082 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "78dc4c3485a8d2c13c1178d7a3b20927f3df2b8684849031247db42b94d8ab3c";
+const char ur5e_position_digest[] = "103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_position.h: manipulability (position) of ur5e.
- * Made from templates/kernel.h.j2; inputs 78dc4c3485a8d2c13c1178d7a3b20927f3df2b8684849031247db42b94d8ab3c.
+ * Made from templates/kernel.h.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
  * 1082 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

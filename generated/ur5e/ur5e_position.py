@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 78dc4c3485a8d2c13c1178d7a3b20927f3df2b8684849031247db42b94d8ab3c.
+Made from templates/kernel.py.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
 1082 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -16,8 +16,8 @@ def manipulability_position(q):
     out  manipulability (one number)
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -74,9 +74,9 @@ def manipulability_position(q):
     t38 = t20 * t31 - t16 * t33
 
     # results
-    manipulability = np.empty((*leading, 1), real)
+    manipulability = np.empty((*_leading, 1), _real)
     manipulability[..., 0] = np.sqrt((t37 + t38 * t38))
-    return manipulability.reshape(leading)
+    return manipulability.reshape(_leading)
 
 
 def manipulability_gradient_position(q):
@@ -89,8 +89,8 @@ def manipulability_gradient_position(q):
     out  inverse_root_gradient[6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -208,10 +208,10 @@ def manipulability_gradient_position(q):
     t99 = -0.5 / t42 * np.sqrt(t97)
 
     # results
-    manipulability = np.empty((*leading, 1), real)
-    gradient = np.empty((*leading, 6), real)
-    inverse_gradient = np.empty((*leading, 6), real)
-    inverse_root_gradient = np.empty((*leading, 6), real)
+    manipulability = np.empty((*_leading, 1), _real)
+    gradient = np.empty((*_leading, 6), _real)
+    inverse_gradient = np.empty((*_leading, 6), _real)
+    inverse_root_gradient = np.empty((*_leading, 6), _real)
     manipulability[..., 0] = t42
     gradient[..., 0] = 0.0
     gradient[..., 1] = np.where(t42 != 0.0, t90, 0.0)
@@ -231,7 +231,7 @@ def manipulability_gradient_position(q):
     inverse_root_gradient[..., 3] = np.where(t42 != 0.0, t94 * t99, 0.0)
     inverse_root_gradient[..., 4] = np.where(t42 != 0.0, t96 * t99, 0.0)
     inverse_root_gradient[..., 5] = 0.0
-    return manipulability.reshape(leading), gradient.reshape(leading + (6,)), inverse_gradient.reshape(leading + (6,)), inverse_root_gradient.reshape(leading + (6,))
+    return manipulability.reshape(_leading), gradient.reshape(_leading + (6,)), inverse_gradient.reshape(_leading + (6,)), inverse_root_gradient.reshape(_leading + (6,))
 
 
 def minors_position(q):
@@ -241,8 +241,8 @@ def minors_position(q):
     out  minors[20]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q2 = q[..., 1]
@@ -288,7 +288,7 @@ def minors_position(q):
     t27 = t17 * t24
 
     # results
-    minors = np.empty((*leading, 20), real)
+    minors = np.empty((*_leading, 20), _real)
     minors[..., 0] = t10 * t14 - t15 * t16
     minors[..., 1] = t14 * t18 - t15 * t19
     minors[..., 2] = t15 * t22 + t14 * t23 - t20 * t25
@@ -309,7 +309,7 @@ def minors_position(q):
     minors[..., 17] = 0.0
     minors[..., 18] = 0.0
     minors[..., 19] = 0.0
-    return minors.reshape(leading + (20,))
+    return minors.reshape(_leading + (20,))
 
 
 def null_projector_position(q):
@@ -319,8 +319,8 @@ def null_projector_position(q):
     out  null_projector[6][6]
     """
     q = np.asarray(q)
-    leading = np.broadcast_shapes(q.shape[:-1])
-    real = np.result_type(q, np.float32)
+    _leading = np.broadcast_shapes(q.shape[:-1])
+    _real = np.result_type(q, np.float32)
 
     # inputs, sines and cosines
     q5 = q[..., 4]
@@ -468,7 +468,7 @@ def null_projector_position(q):
     t129 = 1.0 - np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t71 * t71, 0.0), 0.0)
 
     # results
-    null_projector = np.empty((*leading, 36), real)
+    null_projector = np.empty((*_leading, 36), _real)
     null_projector[..., 0] = t56 - np.where(t100 != 0.0, np.where(t100 != 0.0, t101 * t101, 0.0), 0.0)
     null_projector[..., 1] = t104
     null_projector[..., 2] = t107
@@ -505,4 +505,4 @@ def null_projector_position(q):
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
     null_projector[..., 35] = 1.0
-    return null_projector.reshape(leading + (6, 6))
+    return null_projector.reshape(_leading + (6, 6))

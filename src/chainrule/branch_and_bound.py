@@ -191,7 +191,7 @@ def _add_peak(hunt: Hunt, x: Array) -> None:
 
 
 def _within(domain: Domain, x: Array, peak: Peak) -> bool:
-    around = 1e-6 if peak.around is None else np.maximum(peak.around, 1e-6)
+    around = 1e-6 if peak.around is None else peak.around
     return bool((np.abs(domain.apart(x, peak.x)) <= around).all())
 
 
@@ -384,12 +384,16 @@ def _inside_any(hunt: Hunt, boxes: _Boxes) -> Array:
     for peak in hunt.peaks:
         if peak.around is not None:
             away = np.abs(hunt.domain.apart(centre, peak.x)) + half
-            inside |= (away <= peak.around * (1 - 1e-12)).all(axis=1)
+            rounding = 2.0**-48 * (np.abs(boxes.lower) + np.abs(boxes.upper) + np.abs(peak.x) + 4.0)
+            inside |= (away + rounding <= peak.around).all(axis=1)
     return inside
 
 
 def _examined(hunt: Hunt, boxes: _Boxes, low: float) -> tuple[_Boxes, Array]:
-    """The boxes that may hold a maximum of ``low`` or more, with better bounds, and the heights of their centres."""
+    """The boxes that may hold a maximum of ``low`` or more, with better bounds, and the heights of their centres.
+
+    Where only the face of a box stays, the face is examined in its place.
+    """
     waves, domain = hunt.waves, hunt.domain
     if waves.size == 0:
         top = np.full(len(boxes), waves.constant + waves.error)
@@ -414,8 +418,13 @@ def _examined(hunt: Hunt, boxes: _Boxes, low: float) -> tuple[_Boxes, Array]:
     open_still = np.flatnonzero(~out & (bound + slack >= low))
     bound[open_still] = np.minimum(bound[open_still], _by_phase(waves, centre[open_still], turn[open_still]))
     bound = np.minimum(boxes.bound, bound + slack)
-    stays = ~out
-    return _Boxes(lower[stays], upper[stays], bound[stays]), height[stays]
+    onto_face = ~out & ((lower > boxes.lower) | (upper < boxes.upper)).any(axis=1)
+    stays = ~out & ~onto_face
+    found = _Boxes(lower[stays], upper[stays], bound[stays]), height[stays]
+    if not onto_face.any():
+        return found
+    faces, heights = _examined(hunt, _Boxes(lower[onto_face], upper[onto_face], bound[onto_face]), low)
+    return found[0].joined(faces), np.concatenate([found[1], heights])
 
 
 def _by_taylor(height: Array, gradient: Array, hessian: Array, half: Array, turn: Array, amplitude: Array) -> Array:

@@ -100,7 +100,8 @@ def certify(
         minors = minors_on_balls(arm, task)
         if minors is None:
             return "H of this many joints comes from a factorisation, not from minors"
-        used = used_joints(minors, arm.n)
+        held = arm.limits.position[:, 0] == arm.limits.position[:, 1]  # what cannot move is a number like any other
+        used = tuple(j for j in used_joints(minors, arm.n) if not held[j])
         planar = "x_alpha" in arm.tasks
         turning = tuple(j for j in used if arm.kinds[j] == "R")
         slides = tuple(j for j in used if arm.kinds[j] == "P")
@@ -154,7 +155,7 @@ def _squares(
                 return too_large
             if matters:
                 return Unbounded(joint)
-    ends = [j for j in slides if np.isfinite(limits[j]).all() and limits[j, 0] < limits[j, 1]]
+    ends = [j for j in slides if np.isfinite(limits[j]).all()]
     if len(ends) > MOST_SLIDES:
         return f"{len(ends)} prismatic joints have too many combinations of ends"
     found = []
@@ -278,15 +279,13 @@ def crude_bound(arm: Arm, task: str) -> float:
     """
     slides = np.abs(np.where(np.array(list(arm.kinds))[:, None] == "P", arm.limits.position, 0.0)).max(axis=1)
     near, far = _links(arm)
-    total = 0.0
-    for j, kind in enumerate(arm.kinds):
-        distance = near[j] + float(far[j + 1 :].sum()) + float(slides[j + 1 :].sum())
-        total += distance**2 if kind == "R" else 1.0
+    total = np.float64(0.0)
     turning, linear, angular = arm.kinds.count("R"), *ROWS[("planar" if "x_alpha" in arm.tasks else "spatial", task)]
-    try:
+    with np.errstate(over="ignore"):
+        for j, kind in enumerate(arm.kinds):
+            distance = near[j] + far[j + 1 :].sum() + slides[j + 1 :].sum()
+            total += distance**2 if kind == "R" else 1.0
         found = (total / linear) ** (linear / 2) * (turning / angular if angular else 1.0) ** (angular / 2)
-    except OverflowError:
-        return math.inf
     return float(found) * (1 + 1e-12)
 
 

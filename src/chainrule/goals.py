@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from chainrule.arm import Arm
 from chainrule.errors import InputError, shown
-from chainrule.timing import ROUNDING, JointMove, Synchronise, min_time, real_array
+from chainrule.inputs import real_array
+from chainrule.timing import ROUNDING, JointMove, Synchronise, min_time
 from chainrule.workspaces import ring
 
 Array = NDArray[Any]
@@ -49,7 +50,8 @@ def postures(arm: Arm, x: float, y: float, alpha: float) -> Postures:
     postures are one.
 
     Raises:
-        InputError: any other arm; a first or second link without length; numbers that are not finite.
+        InputError: any other arm; a first or second link without length; numbers that are not finite, or too large
+            for the links.
 
     Source: A. De Luca, Robotics I, exam of 11 January 2012, exercise 2.
 
@@ -64,26 +66,42 @@ def postures(arm: Arm, x: float, y: float, alpha: float) -> Postures:
     if arm.description.model.name != "planar_rrr":
         raise InputError(f"{arm.name}: the postures of a pose are known for planar arms with three revolute joints")
     target = real_array([x, y, alpha], "the pose (x, y, alpha)")
-    l1, l2, l3 = (float(length) for length in arm.parameters)
-    if l1 == 0.0 or l2 == 0.0:
-        raise InputError(f"{arm.name}: link {1 if l1 == 0.0 else 2} has no length; the first two need one")
-    w = (target[0] - l3 * math.cos(target[2]), target[1] - l3 * math.sin(target[2]))
+    if target.shape != (3,):
+        raise InputError(f"the pose (x, y, alpha): arrays of shape {target.shape[1:]}; three numbers are accepted")
+    lengths = [float(length) for length in arm.parameters]
+    if lengths[0] == 0.0 or lengths[1] == 0.0:
+        raise InputError(f"{arm.name}: link {1 if lengths[0] == 0.0 else 2} has no length; the first two need one")
+    # In units of a power of two near the longer link, which rounds nothing: squares neither overflow nor vanish.
+    unit = math.frexp(max(abs(lengths[0]), abs(lengths[1])))[1] - 1
+    with np.errstate(over="ignore"):
+        l1, l2, l3, at_x, at_y = (float(np.ldexp(value, -unit)) for value in (*lengths, target[0], target[1]))
+    if not (math.isfinite(l3) and math.isfinite(at_x) and math.isfinite(at_y)):
+        raise InputError(f"{arm.name}: the pose or the last link is too many times larger than the first two links")
+    target = np.array([at_x, at_y, target[2]])
+    w = (at_x - l3 * math.cos(target[2]), at_y - l3 * math.sin(target[2]))
     wrist, (inner, outer) = math.hypot(*w), ring([l1, l2])
-    rounding = ROUNDING * (abs(target[0]) + abs(target[1]) + abs(l1) + abs(l2) + abs(l3))
+    rounding = ROUNDING * (abs(at_x) + abs(at_y) + abs(l1) + abs(l2) + abs(l3))
+    measured = (_in_metres(wrist, unit), (_in_metres(inner, unit), _in_metres(outer, unit)))
     if not inner - rounding <= wrist <= outer + rounding:
-        return Postures("unreachable", np.empty((0, 3)), wrist, (inner, outer))
+        return Postures("unreachable", np.empty((0, 3)), *measured)
     # A link of negative length is one of positive length that points the other way.
     back = (math.pi if l1 < 0.0 else 0.0, math.pi if l2 < 0.0 else 0.0)
     if rounding < wrist - inner and rounding < outer - wrist:
         solutions, _ = arm.evaluator("postures")(target, np.array([abs(l1), abs(l2), l3]))
         q = _with_lengths_back(solutions, back)
-        return Postures("regular", q[np.argsort(-q[:, 1], kind="stable")], wrist, (inner, outer))
+        return Postures("regular", q[np.argsort(-q[:, 1], kind="stable")], *measured)
     free, folded = wrist <= rounding, wrist <= inner + rounding
     away = folded and abs(l1) < abs(l2)  # the second link, the longer one, points to the wrist
     first = back[0] if free else math.atan2(w[1], w[0]) + (math.pi if away else 0.0)
     elbow = math.pi if folded else 0.0
     q = _with_lengths_back(np.array([[first, elbow, target[2] - first - elbow]]), back)
-    return Postures("free" if free else "singular", q, wrist, (inner, outer))
+    return Postures("free" if free else "singular", q, *measured)
+
+
+def _in_metres(value: float, unit: int) -> float:
+    """``value`` times a power of two; infinite where no double is as large."""
+    with np.errstate(over="ignore"):
+        return float(np.ldexp(value, unit))
 
 
 def _with_lengths_back(q: Array, back: tuple[float, float]) -> Array:
@@ -145,6 +163,9 @@ def nearest_turns(start: Any, goals: Any, kinds: str, position: Any = None) -> T
     if not isinstance(kinds, str) or len(kinds) != first.size or set(kinds) - set("RP"):
         raise InputError(f"kinds: {shown(kinds)}; one letter R or P for each of the {first.size} joints is accepted")
     lower, upper = _limits(first, position)
+    with np.errstate(over="ignore"):
+        if not np.isfinite(first - last).all():
+            raise InputError("goals: the way from start to goal is too long for a number")
     blur = ROUNDING * (np.abs(first) + np.abs(last) + TURN)
     turning = np.array([kind == "R" for kind in kinds])
     least, most = (np.where(turning, part, 0.0) for part in _turns_inside(last, lower - blur, upper + blur))

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
-from chainrule.errors import InputError
+from chainrule.errors import InputError, shown
+from chainrule.inputs import real_array, whole_number
 from chainrule.search import FREE_TRAVEL, Found, best_of, box, climb, maximise, samples, turns_freely
 
 if TYPE_CHECKING:
@@ -79,8 +80,8 @@ def checked_task(arm: Arm, task: str | None) -> str:
         task = arm.default_task if arm.default_task in known or not known else known[-1]
     if task not in known:
         raise InputError(
-            f"{arm.name}: no manipulability of a task '{task}'; {', '.join(known) or 'none'} can be had "
-            f"with {arm.n} joints"
+            f"{arm.name}: no manipulability of a task {shown(task)}; {', '.join(known) or 'none'} can be had "
+            f"with {arm.n} joint{'s' if arm.n > 1 else ''}"
         )
     return task
 
@@ -168,8 +169,7 @@ def max_manipulability(
     from chainrule.certificate import Certificate, Unbounded, certify, crude_bound
 
     task = checked_task(arm, task)
-    if budget is not None and budget < 1:
-        raise InputError(f"{arm.name}: a budget of {budget} boxes; 1 or more is accepted")
+    budget = None if budget is None else whole_number(budget, "budget")
     found = certify(arm, task, budget, progress)
     if isinstance(found, Certificate):
         return _certified(arm, found, crude_bound(arm, task))
@@ -330,17 +330,22 @@ def manipulability_map(
         largest: what :func:`max_manipulability` found for this arm and task, if it is at hand.
 
     Raises:
-        InputError: a task with more rows than joints, joints that do not exist, fewer than two joints.
+        InputError: a task with more rows than joints, joints that do not exist, fewer than two joints, a q that is not
+            n finite numbers, a size below 2.
+
+    Example:
+        >>> from chainrule import planar_3r
+        >>> found = manipulability_map(planar_3r(1.0, 0.5, 0.25), "pose", q=[0.0, 0.0, 0.0], size=31)
+        >>> found.joints, found.H.shape, round(found.maximum.value, 9)      # |det J| = l1 l2 |sin q2|
+        ((1, 2), (31, 31), 0.5)
     """
-    task = checked_task(arm, task)
+    task, size = checked_task(arm, task), whole_number(size, "size", 2)
     if q is None:
         largest = largest or max_manipulability(arm, task)
-    posture = np.array(largest.q if q is None and largest is not None else q, float)
+    posture = real_array(largest.q if q is None and largest is not None else q, "q")
     if posture.shape != (arm.n,):
         raise InputError(f"{arm.name}: q has shape {posture.shape}; ({arm.n},) is accepted")
-    pair = liveliest_pair(arm, task, posture) if joints is None else joints
-    if len(set(pair)) != 2 or not all(0 <= j < arm.n for j in pair):
-        raise InputError(f"{arm.name}: joints {pair}; two different ones of 0 to {arm.n - 1} are accepted")
+    pair = liveliest_pair(arm, task, posture) if joints is None else _two_joints(arm, joints)
     first, second, grid = _grid(arm, pair, posture, size)
     height = arm.manipulability(grid, task=task)
 
@@ -362,6 +367,14 @@ def manipulability_map(
     return ManipulabilityMap(
         task, pair, first, second, height, posture, best, least, unit(arm, task), singular, determinant, largest
     )
+
+
+def _two_joints(arm: Arm, joints: Any) -> tuple[int, int]:
+    if isinstance(joints, (tuple, list)) and all(isinstance(j, (int, np.integer)) and 0 <= j < arm.n for j in joints):
+        pair = tuple(int(j) for j in joints)
+        if len(pair) == 2 and pair[0] != pair[1]:
+            return pair[0], pair[1]
+    raise InputError(f"{arm.name}: joints {shown(joints)}; two different ones of 0 to {arm.n - 1} are accepted")
 
 
 def _isolated_zeros(arm: Arm, task: str, met: list[Array], top: float) -> Array:

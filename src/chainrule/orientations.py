@@ -78,13 +78,22 @@ def _wrapped(angle: float) -> float:
     return math.pi if wrapped <= -math.pi + 1e-12 else wrapped
 
 
-def circle_in(region: Region, radius: float) -> tuple[Interval, ...]:
-    """The angles at which the circle of a radius about the origin lies in a region."""
-    slack = 1e-11 * max(region.size, radius)
+def circle_in(region: Region, radius: float, size: float = 0.0) -> tuple[Interval, ...]:
+    """The angles at which the circle of a radius about the origin lies in a region.
+
+    Args:
+        region: the region.
+        radius: m.
+        size: of the whole the region is part of, m: the scale of rounding errors, if it is larger than the region's.
+    """
+    slack = 1e-11 * max(size, region.size, radius)
     if radius <= slack:
         return FULL if bool(region.contains(np.zeros(1, dtype=complex), slack)[0]) else ()
-    meets = [at[valid] for at, valid in circle_meets(region._all, np.array(radius), slack)]
-    found = np.unique(np.angle(np.concatenate(meets)))
+    p = region._all
+    meets = [at[valid] for at, valid in circle_meets(p, np.array(radius), slack)]
+    # an arc along the circle meets it everywhere: its ends stand for it
+    along = p[p.arc & (np.abs(p.centre) <= slack) & (np.abs(p.radius - radius) <= slack)]
+    found = np.unique(np.angle(np.concatenate([*meets, along.start, along.end])))
     angles = [a for k, a in enumerate(found.tolist()) if k == 0 or a - found[k - 1] > SAME]
     if not angles:
         return FULL if bool(region.contains(np.array([radius + 0j]), slack)[0]) else ()
@@ -111,11 +120,13 @@ def orientations(whole: Chain, z: complex, seen: Region | None = None) -> tuple[
         seen: its :func:`seen_from_tip`, if the first moving joint turns freely and it is at hand.
     """
     whole = merged(whole)
+    if math.hypot(z.real, z.imag) > (1.0 + SAME) * whole.size:  # too far: its square need not even be a number
+        return ()
     if not whole.turns:
         return _limited(whole, z)
     offset = whole.links[0][1] - z
     towards = cmath.phase(offset)
-    found = circle_in(seen_from_tip(whole) if seen is None else seen, abs(offset))
+    found = circle_in(seen_from_tip(whole) if seen is None else seen, abs(offset), whole.size)
     return union([(towards - b, towards - a) for a, b in found])
 
 

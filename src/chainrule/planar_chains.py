@@ -5,7 +5,6 @@ from __future__ import annotations
 import cmath
 import math
 from dataclasses import dataclass, replace
-from functools import reduce
 from typing import Literal
 
 from chainrule.description import Description, Planar
@@ -19,6 +18,9 @@ REST: Move = (1.0 + 0j, 0j)
 #: Distances between joints shorter than this share of the size, and ranges below it, count as zero: what they add to
 #: the workspace is so thin that its edges could not be told apart safely.
 TINY = 1e-9
+
+#: Sizes of arms, m: beyond them the fourth power of a length leaves the range of numbers.
+SMALLEST, LARGEST = 1e-60, 1e60
 
 
 def then(first: Move, second: Move) -> Move:
@@ -52,7 +54,7 @@ class Moving:
     @property
     def free(self) -> bool:
         """Whether it turns all the way round."""
-        return self.kind == "R" and self.upper - self.lower >= TURN - 1e-12
+        return self.kind == "R" and self.upper - self.lower >= TURN - 1e-12 - 1e-15 * abs(self.lower)
 
     def at(self, value: float) -> Move:
         """The motion at a value."""
@@ -81,17 +83,13 @@ class Chain:
         return bool(self.joints) and self.joints[0].free
 
 
-def chain(arm: Description, tiny: float = TINY) -> Chain:
+def chain(arm: Description) -> Chain:
     """The chain of a planar arm within its limits.
 
     A revolute joint with no limits, with one only, or with a range of a full turn or more turns freely.
 
-    Args:
-        arm: its description.
-        tiny: what is shorter than this share of the size counts as zero.
-
     Raises:
-        InputError: an arm in space; a prismatic joint without two finite limits.
+        InputError: an arm in space; a prismatic joint without two finite limits; an arm of no sensible size.
     """
     geometry = arm.geometry
     if not isinstance(geometry, Planar):
@@ -104,6 +102,10 @@ def chain(arm: Description, tiny: float = TINY) -> Chain:
     size = math.fsum(abs(length) for length in geometry.lengths) + math.fsum(
         max(map(abs, joint.position)) for joint in arm.joints if joint.kind == "P" and joint.position is not None
     )
+    if size > 0.0 and not SMALLEST <= size <= LARGEST:
+        raise InputError(
+            f"{arm.name}: its lengths and strokes add up to {size:g} m; {SMALLEST:g} to {LARGEST:g} m are accepted"
+        )
     for i, kind in enumerate(arm.kinds):
         lower, upper = arm.joints[i].position or (-math.inf, math.inf)
         if kind == "P":
@@ -114,17 +116,20 @@ def chain(arm: Description, tiny: float = TINY) -> Chain:
                 )
             links[-1] = then(links[-1], (cmath.rect(1.0, geometry.headings[i]), 0j))
         elif upper - lower >= TURN - 1e-12:
-            lower = lower if math.isfinite(lower) else (upper - TURN if math.isfinite(upper) else -math.pi)
+            if lower <= -math.pi and upper >= math.pi:
+                lower = -math.pi
+            elif not math.isfinite(lower):
+                lower = upper - TURN
             upper = lower + TURN
         joint = Moving("R" if kind == "R" else "P", lower, upper, i)
         values[i] = 0.5 * (lower + upper) if lower < upper else lower
-        if upper - lower > tiny * (1.0 if kind == "R" else size):
+        if upper - lower > TINY * (1.0 if kind == "R" else size):
             joints.append(joint)
             links.append(REST)
         else:
             links[-1] = then(links[-1], joint.at(values[i]))
         links[-1] = then(links[-1], (1.0 + 0j, complex(geometry.lengths[i])))
-    links[1:] = [(rotation, shift if abs(shift) > tiny * size else 0j) for rotation, shift in links[1:]]
+    links[1:] = [(rotation, shift if abs(shift) > TINY * size else 0j) for rotation, shift in links[1:]]
     return Chain(tuple(joints), tuple(links), tuple(values), size)
 
 
@@ -171,8 +176,3 @@ def merged(whole: Chain) -> Chain:
             joints.append(joint)
             links.append(link)
     return replace(whole, joints=tuple(joints), links=tuple(links))
-
-
-def through(moves: list[Move]) -> Move:
-    """Several motions, one after the other."""
-    return reduce(then, moves, REST)

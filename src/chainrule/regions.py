@@ -341,7 +341,7 @@ def _odd(p: Packed, z: Array) -> Array:
 class Turn:
     """Rotation about the origin by an angle in rad."""
 
-    #: Half of a motion that reaches everything on an orbit.
+    #: A motion as long as this reaches everything on an orbit.
     period = TURN
 
     @staticmethod

@@ -9,6 +9,7 @@ Signed curvature: a left turn is positive. Rates are those of a tip speed of 1 m
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from enum import IntEnum
 from functools import cached_property
@@ -48,8 +49,14 @@ REASONS: dict[Status, str] = {
 #: A joint that makes less than this part of the fastest joint's rate counts as standing still.
 STANDSTILL = 2.0**-40
 
+#: So many configurations are solved at once that what is not kept of them stays in the processor's cache.
+BLOCK = 4096
+
 _OTHERS = np.array([[1, 2], [0, 2], [0, 1]])
 _ONE = np.eye(3)  # row k says that joint k + 1 leads
+_SOLUTION = np.dtype((np.void, 7 * 8))  # a solution's rates, ratios, curvature and its rate
+_NOTHING = np.full(7, np.nan).view(_SOLUTION)[0]
+_FAMILY = ("parabola", "least", "null")
 _TERMS = ("A", "B", "B0", "B1", "a", "b", "C", "D", "discriminant")
 
 
@@ -76,9 +83,6 @@ class SpeedRatios:
         curvature_rates: (..., k) the rate of change dk/ds of that curvature.
         chosen: (...,) which solution to use (from 0; -1 if there is none): the one whose dk/ds is nearer to the
             desired one.
-        parabola: (..., 3) p2, p1, p0: at the rates ``pseudoinverse + z null`` the curvature is p2 z^2 + p1 z + p0.
-        pseudoinverse: (..., 3) J^+ T, the smallest rates that follow the tangent.
-        null: (..., 3) unit rates that do not move the tip.
     """
 
     q: Array
@@ -94,9 +98,6 @@ class SpeedRatios:
     curvatures: Array
     curvature_rates: Array
     chosen: Any
-    parabola: Array
-    pseudoinverse: Array
-    null: Array
     asked: Leading = field(repr=False)
     arm: Arm = field(repr=False)
 
@@ -107,13 +108,40 @@ class SpeedRatios:
         unit: Array = slim / np.sqrt((slim**2).sum(axis=-1, keepdims=True))
         return unit
 
+    @property
+    def parabola(self) -> Array:
+        """(..., 3) p2, p1, p0: at the rates ``pseudoinverse + z null`` the curvature is p2 z^2 + p1 z + p0."""
+        return self._family["parabola"]
+
+    @property
+    def pseudoinverse(self) -> Array:
+        """(..., 3) J^+ T, the smallest rates that follow the tangent."""
+        return self._family["least"]
+
+    @property
+    def null(self) -> Array:
+        """(..., 3) unit rates that do not move the tip."""
+        return self._family["null"]
+
+    @cached_property
+    def _family(self) -> dict[str, Array]:
+        """All rates that follow the tangent; found again, as most who ask for many solutions do not ask for them."""
+        evaluate = self.arm.evaluator("speed_ratio_rates")
+        results = evaluate(self.q, self.arm.parameters, self.direction, self._wanted, _ONE[0])
+        return {name: result for (name, _), result in zip(evaluate.outputs, results, strict=True) if name in _FAMILY}
+
+    @property
+    def _wanted(self) -> Array:
+        """(..., 2) the desired curvature and its rate."""
+        return np.stack(np.broadcast_arrays(self.desired, self.desired_rate), axis=-1)
+
     # ---- the paper's quantities ----------------------------------------------------------------------------------
 
     @cached_property
     def terms(self) -> dict[str, Array]:
         """A, B, B0, B1, a, b, C, D and the discriminant of (5) to (9) by name, for the leading joint of each."""
         leads, shape = np.asarray(self.leading), np.shape(self.status)
-        wanted = np.stack(np.broadcast_arrays(self.desired, self.desired_rate), axis=-1)
+        wanted = self._wanted
         found: list[Array] = []
         for joint in (1, 2, 3):
             if not (leads == joint).any():
@@ -330,23 +358,17 @@ def speed_ratios(
     asked = _leading(leading)
     q, direction, wanted, shape = _inputs(q, tangent, curvature, curvature_rate)
     first = 1 if asked == "auto" else asked
-    solutions = np.empty((*shape, 2, 7))  # in one piece, so that what does not exist is struck out at once
+    solutions, verdict = _solved(arm, q, direction, wanted, first, shape)
     rates, ratios = solutions[..., :3], solutions[..., 3:5]
-    curvatures, changes = solutions[..., 5], solutions[..., 6]
-    with_out = (rates, ratios, curvatures, changes, None, None, None, None, None)
-    evaluate = arm.evaluator("speed_ratio_rates")
-    results = evaluate(q, arm.parameters, direction, wanted, _ONE[first - 1], out=with_out)
-    verdict, parabola, _, least, null = results[4:]
-    if not (np.isfinite(changes).all() and np.isfinite(wanted[..., 1]).all()):
-        raise _unusable(q, direction, wanted)
-    status, count, chosen = (verdict[..., k].astype(np.int8) for k in range(3))
-    exact = verdict[..., 3] != 0.0
+    status, count, chosen = verdict[..., 0], verdict[..., 1], verdict[..., 2]
     leads = np.full(shape, first, np.int8)
-    again = np.ones_like(exact) if asked == "auto" else verdict[..., 4] != 0.0
+    again = np.ones(shape, bool) if asked == "auto" else verdict[..., 4] != 0
     if again.any():
         leads[again] = _busiest(rates[again], count[again], chosen[again])
         ratios[again] = _divided(rates[again], leads[again][..., None])
-    chosen[count == 0] = -1
+    none = count == 0
+    if none.any():
+        chosen[none] = -1
     found = SpeedRatios(
         arm=arm,
         asked=asked,
@@ -356,22 +378,55 @@ def speed_ratios(
         desired_rate=wanted[..., 1],
         status=status,
         count=count,
-        exact=exact,
+        exact=verdict[..., 3] != 0,
         leading=leads,
         rates=rates,
         ratios=ratios,
-        curvatures=curvatures,
-        curvature_rates=changes,
+        curvatures=solutions[..., 5],
+        curvature_rates=solutions[..., 6],
         chosen=chosen,
-        parabola=parabola,
-        pseudoinverse=least,
-        null=null,
     )
-    if status.ndim == 0:
+    if not shape:
         return _trimmed(found)
-    for k in (0, 1):
-        solutions[count <= k, k] = np.nan
+    whole = solutions.view(_SOLUTION)[..., 0]  # struck out in one piece each
+    if none.any():
+        whole[none, 0] = _NOTHING
+    whole[..., 1][count < 2] = _NOTHING
     return found
+
+
+def _solved(
+    arm: Arm, q: Array, direction: Array, wanted: Array, first: int, shape: tuple[int, ...]
+) -> tuple[Array, Array]:
+    """Both solutions (..., 2, 7) = rates, ratios, curvature and its rate, and the verdict (..., 5) as small integers.
+
+    Raises:
+        InputError: what is given, or what comes out, is not finite.
+    """
+    solutions, verdict = np.empty((*shape, 2, 7)), np.empty((*shape, 5), np.int8)
+    evaluate = arm.evaluator("speed_ratio_rates")
+    each = max(1, BLOCK // max(1, math.prod(shape[1:])))
+    if not shape or shape[0] <= each:
+        blocks: list[Any] = [...]
+        given = (q, direction, wanted)
+        room = shape
+    else:
+        blocks = [slice(start, start + each) for start in range(0, shape[0], each)]
+        given = tuple(np.broadcast_to(array, shape + array.shape[-1:]) for array in (q, direction, wanted))
+        room = (each, *shape[1:])
+    unkept = [np.empty(room + own) for _, own in evaluate.outputs[4:]]
+    for block in blocks:
+        part = solutions[block]
+        spare = [array[: len(part)] for array in unkept] if shape else unkept
+        kept = (part[..., :3], part[..., 3:5], part[..., 5], part[..., 6])
+        configurations, directions, curvatures = (array[block] for array in given)
+        evaluate(configurations, arm.parameters, directions, curvatures, _ONE[first - 1], out=(*kept, *spare))
+        if not np.isfinite(part[..., 6]).all():
+            raise _unusable(q, direction, wanted)
+        verdict[block] = spare[0]
+    if not np.isfinite(wanted[..., 1]).all():
+        raise _unusable(q, direction, wanted)
+    return solutions, verdict
 
 
 def table(found: SpeedRatios) -> Table:

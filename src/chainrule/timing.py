@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from chainrule.description import REST_TO_REST
 from chainrule.errors import InputError, shown
 from chainrule.evaluators import Evaluator, Evaluators
+from chainrule.inputs import real_array
 
 Array = NDArray[Any]
 Synchronise = Literal["none", "time", "phase"]
@@ -234,28 +235,6 @@ def min_time(start: Any, goal: Any, v_max: Any, a_max: Any, *, synchronise: Sync
         *(used[..., 0], rate, used[..., 1], used[..., 2]),
     )
     return _stretched(move, distance) if synchronise == "time" else move
-
-
-def real_array(value: Any, name: str, *, finite: bool = True) -> Array:
-    """``value`` as an array of doubles.
-
-    Raises:
-        InputError: ragged or not real; nan, or (where ``finite``) infinite entries, with the place of the first.
-    """
-    try:
-        array = np.asarray(value)
-    except ValueError:
-        raise InputError(f"{name}: a ragged nested sequence was given; an array of real numbers is accepted") from None
-    if array.dtype.kind not in "iuf":
-        raise InputError(f"{name}: {shown(value)}; an array of real numbers is accepted")
-    array = array.astype(float)
-    wrong = ~np.isfinite(array) if finite else np.isnan(array)
-    if wrong.any():
-        at = tuple(int(i) for i in np.argwhere(wrong)[0])
-        raise InputError(
-            f"{name}{list(at) if at else ''}: {array[at]}; {'finite ' if finite else ''}numbers are accepted"
-        )
-    return array
 
 
 def _broadcast(start: Any, goal: Any, v_max: Any, a_max: Any) -> list[Array]:

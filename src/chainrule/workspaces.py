@@ -75,17 +75,18 @@ class Workspace:
         Returns:
             An array of bool, or one bool for two numbers.
 
+        Raises:
+            InputError: what is not numbers; arrays that do not broadcast.
+
         Example:
             >>> from chainrule import planar_3r
             >>> workspace(planar_3r(1.0, 0.5, 0.25)).contains([0.2, 0.3], 0.0).tolist()
             [False, True]
         """
-        try:
-            z = np.asarray(x, dtype=float) + 1j * np.asarray(y, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(f"x = {shown(x)}, y = {shown(y)}: arrays of numbers that broadcast are accepted") from None
+        z = _points(x, y)
         flat = z.reshape(-1)
-        good = np.isfinite(flat)
+        farthest = (1.0 + SAME) * self._chain.size
+        good = (np.abs(flat.real) <= farthest) & (np.abs(flat.imag) <= farthest)
         found = np.zeros(flat.shape, dtype=bool)
         if every_orientation and self._everywhere is not None:
             found[good] = self._everywhere(flat[good])
@@ -147,6 +148,19 @@ class Workspace:
         }
 
 
+def _points(x: Any, y: Any) -> Array:
+    """Coordinates as complex numbers; without arithmetic, because infinite ones are welcome."""
+    try:
+        both = np.broadcast_arrays(np.asarray(x), np.asarray(y))
+    except ValueError:
+        both = [np.array(None)]
+    if any(part.dtype.kind not in "iuf" for part in both):
+        raise InputError(f"x = {shown(x)}, y = {shown(y)}: arrays of numbers that broadcast are accepted")
+    z = np.empty(both[0].shape, dtype=complex)
+    z.real, z.imag = both
+    return z
+
+
 def workspace(arm: Arm) -> Workspace:
     """The exact workspaces of a planar arm of revolute and prismatic joints, within its joint limits.
 
@@ -156,7 +170,8 @@ def workspace(arm: Arm) -> Workspace:
     last one).
 
     Raises:
-        InputError: an arm in space; a prismatic joint without two finite limits (its workspace has no bounds).
+        InputError: an arm in space; a prismatic joint without two finite limits (its workspace has no bounds); more
+            than nine limited joints, the first among them, if they turn far enough for every orientation.
 
     Example:
         >>> from chainrule import planar_3r
@@ -180,7 +195,7 @@ def _of(arm: Description) -> Workspace:
     seen, everywhere, exact = None, None, True
     if simple.turns:
         seen = seen_from_tip(simple)
-        secondary = rings_inside(seen)
+        secondary = rings_inside(seen, simple.size)
         dexterous = _annuli(secondary, axis)
     else:
         everywhere, dexterous = _limited(simple, region)
@@ -239,7 +254,7 @@ def dexterous_rings(lengths: Sequence[float]) -> tuple[Ring, ...]:
     return tuple(found)
 
 
-def rings_inside(region: Region) -> tuple[Ring, ...]:
+def rings_inside(region: Region, size: float = 0.0) -> tuple[Ring, ...]:
     """The radii at which the whole circle about the origin lies in a region.
 
     A radius at which some piece of the boundary passes from nearer to farther is none of them; at the others the
@@ -258,7 +273,7 @@ def rings_inside(region: Region) -> tuple[Ring, ...]:
         if not crossed and bool(region.around(np.array([middle + 0j]))[0]):
             found = [*found[:-1], (found[-1][0], high)] if found and found[-1][1] == low else [*found, (low, high)]
     singles = [r for r in breaks if not any(low <= r <= high for low, high in found)]
-    return tuple(sorted(found + [(r, r) for r in singles if circle_in(region, r) == FULL]))
+    return tuple(sorted(found + [(r, r) for r in singles if circle_in(region, r, size) == FULL]))
 
 
 def _annuli(rings: tuple[Ring, ...], centre: complex) -> Region:
