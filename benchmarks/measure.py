@@ -9,6 +9,10 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 
+class Disagreement(Exception):
+    """Two ways of computing the same thing differ: nothing is timed then."""
+
+
 @dataclass(frozen=True)
 class Timing:
     """Nanoseconds of one evaluation over the rounds.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import count as counter
 from typing import Any
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import chainrule as cr
-from benchmarks.measure import in_turn
+from benchmarks.measure import Disagreement, in_turn
 from benchmarks.table import Row
 
 Array = NDArray[Any]
@@ -21,10 +21,6 @@ Results = Callable[[], tuple[Array, ...]]
 TOLERANCE = 1e-8
 #: How many times faster a batch of speed ratios is meant to be than its peers in NumPy.
 RATIO = 10.0
-
-
-class Disagreement(Exception):
-    """Two ways of computing the same thing differ."""
 
 
 @dataclass(frozen=True)
@@ -71,6 +67,14 @@ def rows(section: str, ways: list[Way], rounds: int, least_ns: float) -> list[Ro
     return table
 
 
+def questions(batch: int) -> Iterator[tuple[str, list[Way], str]]:
+    """Every question: its heading, the ways of answering it, and perhaps a note."""
+    yield f"both speed ratios of a planar 3R, with dk/ds; batch of {batch:,}", speed_ratios(batch), ""
+    yield f"minimum time of seven joints; batch of {batch:,}", min_time(batch), ""
+    ways, note = limited_workspace()
+    yield "area of a planar 3R's workspace within limits", ways, note
+
+
 # ---- speed ratios ------------------------------------------------------------------------------------------------
 
 
@@ -83,17 +87,18 @@ def speed_ratios(count: int) -> list[Way]:
     tangent = np.stack([np.cos(turn), np.sin(turn)], axis=-1)
     curvature = np.stack([rng.uniform(-1.0, 1.0, 3 * count), np.zeros(3 * count)], axis=-1)
     evaluator = arm.evaluator("speed_ratio_rates")
+    lead = np.array([1.0, 0.0, 0.0])
     places = {name: k for k, (name, _) in enumerate(evaluator.outputs)}
-    first = evaluator(q, arm.parameters, tangent, curvature)
+    first = evaluator(q, arm.parameters, tangent, curvature, lead)
     # clear cases only: two real solutions, away from singular postures, where everyone's formulas hold
     bent = np.abs(first[places["parabola"]][..., 0]) > 0.05
     clear = (first[places["slack"]] > 0.01) & (arm.manipulability(q) > 0.3) & bent
     q, tangent, curvature = (np.ascontiguousarray(part[clear][:count]) for part in (q, tangent, curvature))
     kappa = np.ascontiguousarray(curvature[:, 0])
-    out = evaluator(q, arm.parameters, tangent, curvature)
+    out = evaluator(q, arm.parameters, tangent, curvature, lead)
 
     def ours() -> tuple[Array, ...]:
-        found = evaluator(q, arm.parameters, tangent, curvature, out=out)
+        found = evaluator(q, arm.parameters, tangent, curvature, lead, out=out)
         return _sorted(found[places["rates"]], found[places["tracked_rate"]])
 
     symbolic = _lambdified(arm)
@@ -115,7 +120,7 @@ def speed_ratios(count: int) -> list[Way]:
         Way(
             "chainrule, the generated function",
             len(q),
-            lambda: evaluator(q, arm.parameters, tangent, curvature, out=out),
+            lambda: evaluator(q, arm.parameters, tangent, curvature, lead, out=out),
             ours,
         ),
         Way("chainrule, cr.speed_ratios", len(q), lambda: cr.speed_ratios(arm, q, tangent, kappa)),

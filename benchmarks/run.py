@@ -10,9 +10,10 @@ from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
+from benchmarks import planar
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
-from benchmarks.measure import Timing, in_turn, pin_to_one_core
+from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
 from benchmarks.peers import ours
 from benchmarks.startup import startup
 from benchmarks.table import Row
@@ -31,10 +32,6 @@ RATIO_OF_FLOAT = 1.6
 GENERATED_S, CACHED_S, IMPORT_S = 5.0, 0.05, 0.3
 
 Progress = Callable[[str], None]
-
-
-class Disagreement(Exception):
-    """A peer's numbers are not ours."""
 
 
 @dataclass(frozen=True)
@@ -96,6 +93,7 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
     batches: list[Row] = []
     singles: list[Row] = []
     parts: list[Row] = []
+    asked: list[Row] = []
     start = _startup_rows(effort, progress) if effort.starts else []  # before pinning: two types compile side by side
     affinity = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else None
     facts["core"] = pin_to_one_core()
@@ -113,10 +111,16 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
             if effort.parts:
                 progress(f"{case.title}: taking ours apart")
                 parts += _part_rows(case, q, effort)
+        for section, ways, note in planar.questions(effort.batch):
+            progress(f"{section}: comparing and timing")
+            worst = planar.agreement(ways)
+            notes += [f"{section}: everyone agrees to {worst:.0e}."] if worst else []
+            notes += [note] if note else []
+            asked += planar.rows(section, ways, effort.rounds, effort.least_ns)
     finally:
         if affinity is not None:
             os.sched_setaffinity(0, affinity)
-    return [*batches, *singles, *parts, *start], list(dict.fromkeys(notes)), facts
+    return [*batches, *singles, *parts, *asked, *start], list(dict.fromkeys(notes)), facts
 
 
 def _batch_rows(case: Case, everyone: list[Contender], effort: Effort) -> list[Row]:

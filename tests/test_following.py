@@ -74,13 +74,13 @@ def tracks(chains: Chains, q: np.ndarray, tangent: np.ndarray, curvature: np.nda
 @pytest.mark.parametrize("kinds", KINDS)
 @pytest.mark.parametrize("tolerance", [0.05, 0.001])
 def test_a_stretch_ends_at_the_tolerance_and_never_passes_it(kinds: str, tolerance: float) -> None:
-    chains, q, tangent, curvature = cases(kinds, 80)
-    arcs, zero, margin = tracks(chains, q, tangent, curvature), np.zeros(80), np.full(80, tolerance)
+    chains, q, tangent, curvature = cases(kinds, 50)
+    arcs, zero, margin = tracks(chains, q, tangent, curvature), np.zeros(50), np.full(50, tolerance)
     case = stand(chains, q, arcs.at(zero), margin)
     for method in ("pseudoinverse", "speed_ratio", "two_term"):
         rates, found = choose(case, arcs, zero, method)
         moved = found.ended != STUCK
-        t = found.t[:, None] * np.linspace(0.0, 1.0, 1501)
+        t = found.t[:, None] * np.linspace(0.0, 1.0, 801)
         points = tip(kinds, chains.parameters[:, None], q[:, None] + rates[:, None] * t[..., None])
         off = off_circle(points, arcs.start, tangent, curvature)
         rounding = 1e-13 * np.maximum(1.0, np.abs(points).max(axis=(1, 2)))
@@ -154,7 +154,7 @@ def test_no_excursion_is_missed() -> None:
     for share in (-30.0, 5.0, 100.0):
         rates = least + share * null
         found = stretch(chains, arcs, q, zero, rates, margin)
-        t = found.t[:, None] * np.linspace(0.0, 1.0, 5001)
+        t = found.t[:, None] * np.linspace(0.0, 1.0, 3001)
         points = tip("RRR", chains.parameters[:, None], q[:, None] + rates[:, None] * t[..., None])
         assert off_circle(points, arcs.start, tangent, curvature).max() <= 0.03 * (1.0 + 1e-9)
 
@@ -188,10 +188,10 @@ def test_predicted_travel_of_a_swing() -> None:
 # ---- methods ---------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("kinds", ["RRR", "RPR", "PRR"])
+@pytest.mark.parametrize("kinds", ["RRR", "RPR"])
 def test_looking_ahead_is_never_worse(kinds: str) -> None:
     for tolerance in (0.02, 0.001):
-        found = study(350, tolerance, kinds=kinds, seed=5).comparison
+        found = study(250, tolerance, kinds=kinds, seed=5).comparison
         for other in ("pseudoinverse", "speed_ratio", "two_term"):
             assert np.all(found.of("look_ahead") >= found.of(other) * (1.0 - 1e-9))
 
@@ -291,8 +291,8 @@ def test_rows_for_reproduce() -> None:
 
 
 def test_the_claim_over_many_arms() -> None:
-    """Bounds well outside the scatter of 800 cases: the shares are those of the mechanism, not of the sample."""
-    facts = [study(800, tolerance, lengths=(1.0, 0.5, 0.25), seed=3).to_dict() for tolerance in (0.025, 0.0005)]
+    """Bounds well outside the scatter of 500 cases: the shares are those of the mechanism, not of the sample."""
+    facts = [study(500, tolerance, lengths=(1.0, 0.5, 0.25), seed=3).to_dict() for tolerance in (0.025, 0.0005)]
     assert 0.10 < facts[0]["worse"] < 0.25 and facts[1]["worse"] < 0.10 < facts[0]["median"]
     assert facts[0]["median"] > 1.1 and facts[1]["median"] > facts[0]["median"]
     for fact in facts:
@@ -316,8 +316,8 @@ def test_nothing_to_choose_with_three_prismatic_joints() -> None:
 
 
 def test_whole_paths_need_fewer_updates() -> None:
-    loops = study_paths(Circle((0.0, 0.0), 0.3), 12, 0.004, seed=2)
-    assert loops.updates.shape == (12, 4)
+    loops = study_paths(Circle((0.0, 0.0), 0.3), 10, 0.004, seed=2)
+    assert loops.updates.shape == (10, 4)
     facts = loops.to_dict()["methods"]
     assert facts["look_ahead"]["median_ratio"] < facts["speed_ratio"]["median_ratio"] < 1.0
 

@@ -109,6 +109,17 @@ def test_a_wrist_on_the_first_axis_leaves_the_first_joint_free(lengths):
             assert same_angle(there[2], alpha, 1e-14)
 
 
+def test_postures_of_very_small_and_very_large_arms_are_the_same():
+    """Lengths times a power of two leave every bit of the angles as it is, also where squares are no doubles."""
+    for exponent in (-700, 700):
+        arm = cr.planar_3r(*(math.ldexp(length, exponent) for length in (1.0, 0.5, 0.25)))
+        found = postures(arm, math.ldexp(1.25, exponent), math.ldexp(0.5, exponent), 0.0)
+        assert (found.q == postures(PAPER, 1.25, 0.5, 0.0).q).all()
+        assert found.wrist == math.ldexp(math.hypot(1.0, 0.5), exponent)
+        assert found.ring == (math.ldexp(0.5, exponent), math.ldexp(1.5, exponent))
+    assert postures(PAPER, 1e308, 1e308, 0.0).status == "unreachable"
+
+
 def test_the_papers_postures():
     found = postures(PAPER, 1.25, 0.5, 0.0)
     bend = 2.0 * math.atan(0.5)
@@ -126,6 +137,9 @@ def test_the_papers_postures():
         (cr.planar_3r(0.0, 1.0, 1.0), (0.0, 0.0, 0.0), "link 1 has no length"),
         (PAPER, (0.0, math.nan, 0.0), r"pose \(x, y, alpha\)\[1\]: nan"),
         (PAPER, (0.0, "1", 0.0), "real numbers"),
+        (PAPER, ([0.0, 1.0], [1.0, 0.0], [0.0, 0.0]), r"arrays of shape \(2,\); three numbers"),
+        (PAPER, (1.7e308, 1.7e308, 0.0), "too many times larger"),
+        (cr.planar_3r(1e-300, 1e-300, 1.0), (1e300, 0.0, 0.0), "too many times larger"),
     ],
 )
 def test_what_has_no_postures_is_refused(arm, pose, message):
@@ -213,6 +227,7 @@ def test_rounding_moves_no_joint_and_breaks_no_limit():
         (([0.0], [0.0], "R", [0.0, 1.0]), "position has shape"),
         (([0.0, 2.0], [0.0, 0.0], "RR", [[0.0, 1.0], [0.0, 1.0]]), "start, joint 2: 2 is outside"),
         (([math.nan], [0.0], "R"), "nan"),
+        (([1e308], [-1e308], "R"), "too long for a number"),
     ],
 )
 def test_turns_refuse_bad_input(given, message):

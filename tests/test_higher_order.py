@@ -17,7 +17,6 @@ from chainrule.higher_order import MotionRatios, motion_ratios, path_point
 
 ARMS = {
     "RR": cr.planar("RR", [1.0, 0.8]),
-    "RP": cr.planar("RP", [0.2, 0.7], [0.0, 0.4]),
     "RRR": cr.planar_3r(1.0, 0.8, 0.6),
     "RPR": cr.planar("RPR", [0.5, 0.8, 0.6], [0.0, 0.4, 0.0]),
 }

@@ -29,7 +29,8 @@ from chainrule.arm import Arm
 from chainrule.description import Planar, planar_model
 from chainrule.errors import InputError, shown
 from chainrule.evaluators import Evaluators
-from chainrule.paths import Path, finite
+from chainrule.inputs import real_array, whole_number
+from chainrule.paths import Path, real_number, unit
 from chainrule.search import samples
 from chainrule.stretches import (
     END,
@@ -58,6 +59,8 @@ STATUSES: tuple[Status, ...] = ("finished", "singular", "joint limit", "unreacha
 PROGRESS = 1e-6
 #: The tolerance may not exceed this share of the path's smallest radius of curvature.
 WIDEST = 0.9
+#: Nor may it be below this share of the coordinates: postures are brought back to 1e-14 of them.
+FINEST = 1e-11
 #: Postures looked at for a start on the path.
 _STARTS = 4096
 
@@ -165,33 +168,31 @@ def follow(
             path; an unknown method; a posture whose tip is too far from the path or outside the joint limits.
 
     Example:
-        >>> from chainrule import planar_3r
-        >>> from chainrule.paths import Circle
-        >>> arm, circle = planar_3r(1.0, 0.8, 0.6), Circle((1.2, 0.3), 0.4)
-        >>> [follow(arm, circle, 0.002, method=m).status for m in ("pseudoinverse", "look_ahead")]
+        >>> import chainrule as cr
+        >>> arm, circle = cr.planar_3r(1.0, 0.8, 0.6), cr.Circle((1.2, 0.3), 0.4)
+        >>> [cr.follow(arm, circle, 0.002, method=m).status for m in ("pseudoinverse", "look_ahead")]
         ['finished', 'finished']
     """
     chains = _chains(arm)
     margin = _tolerance(tolerance)
     _known(method)
-    if not isinstance(path, Path):
-        raise InputError(f"path: {shown(path)}; a path such as Circle, Spline or Curve is accepted")
+    _path(path)
     _narrow(margin, path.max_curvature)
-    if isinstance(max_updates, bool) or not isinstance(max_updates, int | np.integer) or max_updates < 0:
-        raise InputError(f"max_updates: {shown(max_updates)}; a whole number from 0 is accepted")
+    most = whole_number(max_updates, "max_updates", 0)
     begin, posture, moved = _start(arm, chains, path, margin, q, start)
     if posture is None:
         where = path.point(begin)
         reason = f"no posture was found with the tip at the start of the path ({where[0]:.4g}, {where[1]:.4g})"
         return _result(method, margin, UNREACHABLE, reason, [], np.array([begin]), 0.0, moved)
+    _fine(margin, float(chains.size(posture[None])[0]) + float(np.abs(path.point(begin)).max()))
     end = begin + path.length if path.closed else path.length
     tracks = Placed(path, np.array([[1.0, 0.0]]), np.zeros((1, 2)), np.array([end]))
-    log = _run(chains, tracks, posture[None], np.array([begin]), np.array([margin]), method, int(max_updates))
+    log = _run(chains, tracks, posture[None], np.array([begin]), np.array([margin]), method, most)
     stretches = [(entry.q[0], entry.rates[0], entry.found) for entry in log.entries]
     ends = np.array([begin, *(found.s[0] for _, _, found in stretches)])
     worst = max((float(found.swing[0]) for _, _, found in stretches), default=0.0)
     status = int(log.status[0])
-    reason = _reason(arm, status, stretches, float(ends[-1]), int(max_updates))
+    reason = _reason(arm, status, stretches, float(ends[-1]), most)
     return _result(method, margin, status, reason, stretches, ends, worst, moved)
 
 
@@ -325,7 +326,7 @@ def _start(
 ) -> tuple[float, Array | None, float]:
     """Arc length and posture to begin with (None where there is none), and how far the given tip was from there."""
     if start is not None:
-        begin = float(finite(start, "start"))
+        begin = real_number(start, "start")
         if not 0.0 <= begin <= path.length or (begin == path.length and not path.closed):
             raise InputError(
                 f"start: {begin:g} m; from 0 to less than the path's length, {path.length:.6g} m, is accepted"
@@ -334,7 +335,7 @@ def _start(
         begin = 0.0
     if q is None:
         return begin, _posture(arm, chains, path.point(begin), None), 0.0
-    given = finite(q, "q")
+    given = real_array(q, "q")
     if given.shape != (arm.n,):
         raise InputError(f"q: shape {given.shape}; ({arm.n},) is accepted")
     lower, upper = arm.limits.position.T
@@ -378,16 +379,26 @@ def _posture(arm: Arm, chains: Chains, goal: Array, near: Array | None) -> Array
 
 
 def _chains(arm: Arm) -> Chains:
+    if not isinstance(arm, Arm):
+        raise InputError(f"arm: {shown(arm)}; an arm such as load('planar_3r') is accepted")
     if not isinstance(arm.description.geometry, Planar) or arm.n != 3:
         raise InputError(f"{arm.name}: {arm.n} joints ({arm.kinds}); a planar arm with three joints is accepted")
     return Chains(arm.kinds, arm.evaluator, arm.parameters[None], np.array(arm.limits.position))
 
 
 def _tolerance(value: Any) -> float:
-    array = finite(value, "tolerance")
-    if array.ndim or not array > 0.0:
-        raise InputError(f"tolerance: {shown(value)}; a positive number of metres is accepted")
-    return float(array)
+    number = real_number(value, "tolerance")
+    if not number > 0.0:
+        raise InputError(f"tolerance: {number}; a positive number of metres is accepted")
+    return number
+
+
+def _fine(tolerance: float, size: float) -> None:
+    """Refuse a tolerance that rounding of coordinates of this size decides."""
+    if tolerance < FINEST * size:
+        raise InputError(
+            f"tolerance: {tolerance:g} m; at least {FINEST * size:.2g} m is accepted here: rounding is finer"
+        )
 
 
 def _narrow(tolerance: float, curvature: float) -> None:
@@ -400,8 +411,29 @@ def _narrow(tolerance: float, curvature: float) -> None:
 
 
 def _known(method: Any) -> None:
-    if method not in METHODS:
+    if not isinstance(method, str) or method not in METHODS:
         raise InputError(f"method: {shown(method)}; {', '.join(METHODS)} are accepted")
+
+
+def _methods(methods: Any) -> tuple[Method, ...]:
+    """Several methods, each once."""
+    if isinstance(methods, str) or not isinstance(methods, Sequence) or not methods:
+        raise InputError(f"methods: {shown(methods)}; a list of {', '.join(METHODS)} is accepted")
+    for method in methods:
+        _known(method)
+    return tuple(dict.fromkeys(methods))
+
+
+def _path(path: Any) -> None:
+    if not isinstance(path, Path):
+        raise InputError(f"path: {shown(path)}; a path such as Circle, Spline or Curve is accepted")
+
+
+def _place(methods: tuple[Method, ...], method: Any) -> int:
+    """Which of the methods of a result this is."""
+    if not isinstance(method, str) or method not in methods:
+        raise InputError(f"method: {shown(method)}; {', '.join(methods)} were compared")
+    return methods.index(method)
 
 
 # ---- one stretch, method against method ------------------------------------------------------------------------
@@ -442,7 +474,7 @@ class Comparison:
 
     def of(self, method: Method) -> Array:
         """The travel (...,) of one method."""
-        found: Array = self.travel[..., self.methods.index(method)]
+        found: Array = self.travel[..., _place(self.methods, method)]
         return found
 
     def ratio(self, method: Method, other: Method = "pseudoinverse") -> Array:
@@ -491,9 +523,10 @@ def compare(
     """
     chains = _chains(arm)
     margin = _tolerance(tolerance)
-    for method in methods:
-        _known(method)
-    given, direction, bend = finite(q, "q"), finite(tangent, "tangent"), finite(curvature, "curvature")
+    methods = _methods(methods)
+    given, direction, bend = (
+        real_array(value, name) for value, name in ((q, "q"), (tangent, "tangent"), (curvature, "curvature"))
+    )
     if given.ndim < 1 or given.shape[-1] != 3:
         raise InputError(f"q: shape {given.shape}; (..., 3) is accepted")
     if direction.ndim < 1 or direction.shape[-1] != 2:
@@ -504,19 +537,18 @@ def compare(
         raise InputError(
             f"q {given.shape}, tangent {direction.shape} and curvature {bend.shape} do not broadcast together"
         ) from None
-    size = np.hypot(direction[..., 0], direction[..., 1])
-    if not (size > 0.0).all():
-        raise InputError("tangent: (0, 0); a direction is accepted")
+    direction = unit(direction, "tangent")
     _narrow(margin, float(np.abs(bend).max(initial=0.0)))
     flat = np.broadcast_to(given, (*lead, 3)).reshape(-1, 3)
-    unit = np.broadcast_to(direction / size[..., None], (*lead, 2)).reshape(-1, 2)
+    headings = np.broadcast_to(direction, (*lead, 2)).reshape(-1, 2)
+    _fine(margin, float(chains.size(flat).max(initial=0.0)))
     found = _compared(
         chains.take(np.zeros(len(flat), dtype=int)),
         flat,
-        unit,
+        headings,
         np.broadcast_to(bend, lead).reshape(-1),
         margin,
-        tuple(methods),
+        methods,
     )
     shaped = {name: a.reshape((*lead, *a.shape[1:])) for name, a in vars(found).items() if isinstance(a, np.ndarray)}
     return Comparison(methods=found.methods, tolerance=margin, **shaped)
@@ -654,12 +686,11 @@ def study(
         0.0
     """
     margin = _tolerance(tolerance)
-    if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
-        raise InputError(f"count: {shown(count)}; a whole number from 1 is accepted")
-    bend = float(finite(curvature, "curvature"))
+    count = whole_number(count, "count")
+    bend = real_number(curvature, "curvature")
     _narrow(margin, abs(bend))
-    random = np.random.default_rng(seed)
-    chains, q = random_arms(random, int(count), kinds, lengths)
+    random = np.random.default_rng(whole_number(seed, "seed", 0))
+    chains, q = random_arms(random, count, kinds, lengths)
     heading = random.uniform(-np.pi, np.pi, count)
     tangent = np.stack([np.cos(heading), np.sin(heading)], axis=1)
     bends = bend * random.choice([-1.0, 1.0], count)
@@ -676,9 +707,9 @@ def random_arms(
     sliding = np.array([kind == "P" for kind in kinds])
     own = random.uniform(0.2, 1.8, (count, 3))
     if lengths is not None:
-        given = finite(lengths, "lengths")
-        if given.shape != (3,):
-            raise InputError(f"lengths: shape {given.shape}; (3,) is accepted")
+        given = real_array(lengths, "lengths")
+        if given.shape != (3,) or not (given > 0.0).all():
+            raise InputError(f"lengths: {shown(lengths)}; three positive numbers are accepted")
         own = np.broadcast_to(given, (count, 3))
     headings = random.uniform(-np.pi, np.pi, (count, int(sliding.sum())))
     evaluators = Evaluators(planar_model(kinds))
@@ -710,7 +741,7 @@ class Loops:
 
     def ratio(self, method: Method, other: Method = "pseudoinverse") -> Array:
         """Updates of one method divided by another's, where both reached the end and the other needed any."""
-        i, j = self.methods.index(method), self.methods.index(other)
+        i, j = (_place(self.methods, name) for name in (method, other))
         use = self.finished[:, i] & self.finished[:, j] & (self.updates[:, j] > 0)
         found: Array = self.updates[use, i] / self.updates[use, j]
         return found
@@ -752,9 +783,11 @@ def study_paths(
         >>> study_paths(Circle((0.0, 0.0), 0.3), 20).to_dict()["cases"]
         20
     """
-    margin = _tolerance(tolerance)
+    margin, methods = _tolerance(tolerance), _methods(methods)
+    _path(path)
     _narrow(margin, path.max_curvature)
-    random = np.random.default_rng(seed)
+    count, most = whole_number(count, "count"), whole_number(max_updates, "max_updates", 0)
+    random = np.random.default_rng(whole_number(seed, "seed", 0))
     grid = path.point(np.linspace(0.0, path.length, 200))
     heading = path.tangent(0.0)
     stores: tuple[list[Array], ...] = ([], [], [], [])
@@ -789,9 +822,9 @@ def study_paths(
     end = np.full(count, path.length)
     tracks = Placed(path, turn, shift, end)
     zero, tolerances = np.zeros(count), np.full(count, margin)
-    logs = [_run(all_chains, tracks, q, zero, tolerances, method, max_updates) for method in methods]
+    logs = [_run(all_chains, tracks, q, zero, tolerances, method, most) for method in methods]
     return Loops(
-        tuple(methods),
+        methods,
         margin,
         np.stack([log.updates for log in logs], axis=1),
         np.stack([log.status == FINISHED for log in logs], axis=1),

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from chainrule.arm import Arm
 from chainrule.errors import InputError, shown
-from chainrule.higher_order import SINGULAR, STILL, path_point
+from chainrule.higher_order import SINGULAR, STILL, leading_joint, path_point
 
 if TYPE_CHECKING:
     from flint import acb, arb, fmpq, fmpq_poly
@@ -104,8 +104,7 @@ class FourJointRatios:
         Raises:
             InputError: there is no such joint, or it stands still in one of the solutions (which has no ratios to it).
         """
-        if not 1 <= leading <= 4:
-            raise InputError(f"leading: there is no joint {shown(leading)}; 1 to 4 are accepted")
+        leading = leading_joint(leading, 4)
         lead = self.rates[:, leading - 1 : leading]
         still = np.abs(lead[:, 0]) <= STILL * np.abs(self.rates).max(axis=1)
         if still.any():
@@ -184,7 +183,7 @@ def speed_ratios_4_each(
         >>> [f.count for f in speed_ratios_4_each(arm, [0.2, 0.8, 0.9, -1.2], [0.6, 0.8], [0.0, 0.3, 2.0])]
         [6, 4, 2]
     """
-    if arm.n != 4:
+    if isinstance(arm, Arm) and arm.n != 4:
         raise InputError(f"{arm.name}: {arm.n} joints; planar arms with four joints are accepted")
     point = path_point(
         arm, q, tangent, curvature=curvature, curvature_rate=curvature_rate, curvature_second=curvature_second

@@ -75,12 +75,12 @@ def postures(arm: Arm, x: float, y: float, alpha: float) -> Postures:
     unit = math.frexp(max(abs(lengths[0]), abs(lengths[1])))[1] - 1
     with np.errstate(over="ignore"):
         l1, l2, l3, at_x, at_y = (float(np.ldexp(value, -unit)) for value in (*lengths, target[0], target[1]))
-    if not (math.isfinite(l3) and math.isfinite(at_x) and math.isfinite(at_y)):
-        raise InputError(f"{arm.name}: the pose or the last link is too many times larger than the first two links")
     target = np.array([at_x, at_y, target[2]])
     w = (at_x - l3 * math.cos(target[2]), at_y - l3 * math.sin(target[2]))
     wrist, (inner, outer) = math.hypot(*w), ring([l1, l2])
-    rounding = ROUNDING * (abs(at_x) + abs(at_y) + abs(l1) + abs(l2) + abs(l3))
+    if not math.isfinite(wrist):
+        raise InputError(f"{arm.name}: the pose or the last link is too many times larger than the first two links")
+    rounding = sum(ROUNDING * abs(value) for value in (at_x, at_y, l1, l2, l3))
     measured = (_in_metres(wrist, unit), (_in_metres(inner, unit), _in_metres(outer, unit)))
     if not inner - rounding <= wrist <= outer + rounding:
         return Postures("unreachable", np.empty((0, 3)), *measured)

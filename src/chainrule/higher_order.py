@@ -20,6 +20,8 @@ from numpy.typing import NDArray
 
 from chainrule.arm import Arm
 from chainrule.errors import InputError, shown
+from chainrule.inputs import real_array
+from chainrule.paths import unit
 
 Array = NDArray[Any]
 
@@ -30,7 +32,8 @@ STILL = 1e-9
 #: Given rates are refused if they leave the tangent by more than this (rad).
 ASTRAY = 1e-2
 
-TANGENT_ENTRIES = 2
+#: Curvatures and their rates are accepted up to this: their powers are summed with numbers of the size of 1.
+LARGEST = 1e25
 
 
 @dataclass(frozen=True)
@@ -70,13 +73,18 @@ def path_point(arm: Arm, q: Any, tangent: Any, **geometry: Any) -> PathPoint:
         >>> path_point(planar_3r(1.0, 0.5, 0.25), [0.1, 0.2, 0.3], [3.0, 4.0], curvature=1.0).tangent
         array([0.6, 0.8])
     """
+    if not isinstance(arm, Arm):
+        raise InputError(f"arm: {shown(arm)}; an arm such as load('planar_3r') is accepted")
     if "x_alpha" not in arm.tasks:
         raise InputError(f"{arm.name}: speed ratios are known for planar arms; {arm.n} joints ({arm.kinds}) in space")
-    given = {"q": _real(q, "q", arm.n), "tangent": _real(tangent, "tangent", TANGENT_ENTRIES)}
-    scalars = {name: _real(value, name, None) for name, value in geometry.items()}
-    length = np.linalg.norm(given["tangent"], axis=-1, keepdims=True)
-    if not (length > 0.0).all():
-        raise InputError("tangent: it is zero; a direction (x, y) is accepted")
+    given = {"q": _real(q, "q", arm.n), "tangent": _real(tangent, "tangent", 2)}
+    scalars = {name: real_array(value, name) for name, value in geometry.items()}
+    for name, array in scalars.items():
+        if np.abs(array).max(initial=0.0) > LARGEST:
+            raise InputError(
+                f"{name}: {np.abs(array).max():.3g} is too large; magnitudes up to {LARGEST:g} are accepted"
+            )
+    directions = unit(given["tangent"], "tangent")
     try:
         leading = np.broadcast_shapes(
             *(array.shape[:-1] for array in given.values()), *(array.shape for array in scalars.values())
@@ -86,26 +94,32 @@ def path_point(arm: Arm, q: Any, tangent: Any, **geometry: Any) -> PathPoint:
         raise InputError(f"the leading axes do not broadcast together: {shapes}") from None
     return PathPoint(
         np.broadcast_to(given["q"], (*leading, arm.n)),
-        np.broadcast_to(given["tangent"] / length, (*leading, TANGENT_ENTRIES)),
+        np.broadcast_to(directions, (*leading, 2)),
         tuple(np.broadcast_to(array, leading) for array in scalars.values()),
     )
 
 
-def _real(value: Any, name: str, entries: int | None) -> Array:
-    """A float array of finite numbers, its last axis of the given length."""
-    wanted = "a number, or an array of numbers" if entries is None else f"(..., {entries})"
-    try:
-        array = np.asarray(value)
-        if array.dtype.kind not in "iuf":
-            raise TypeError
-        array = array.astype(np.float64)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: {shown(value)} is not an array of real numbers; {wanted} is accepted") from None
-    if entries is not None and array.shape[-1:] != (entries,):
-        raise InputError(f"{name} has shape {array.shape}; {wanted} is accepted")
-    if not np.isfinite(array).all():
-        raise InputError(f"{name}: an entry is nan or infinite; finite numbers are accepted")
+def _real(value: Any, name: str, entries: int) -> Array:
+    """Finite numbers, the last axis of the given length."""
+    array = real_array(value, name)
+    if array.shape[-1:] != (entries,):
+        raise InputError(f"{name} has shape {array.shape}; (..., {entries}) is accepted")
     return array
+
+
+def leading_joint(value: Any, n: int) -> int:
+    """The number of a joint, counted from 1.
+
+    Raises:
+        InputError: there is no such joint.
+
+    Example:
+        >>> leading_joint(2, 3)
+        2
+    """
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= n:
+        raise InputError(f"leading: there is no joint {shown(value)}; 1 to {n} are accepted")
+    return int(value)
 
 
 @dataclass(frozen=True)
@@ -130,7 +144,10 @@ class MotionRatios:
 
     def at(self, s: Any) -> Array:
         """The joint values q + q' s + q'' s^2/2 + q''' s^3/6 at arc lengths s (k,): (..., k, n)."""
-        s = np.asarray(s, float)[:, None]
+        s = real_array(s, "s")
+        if s.ndim != 1:
+            raise InputError(f"s: shape {s.shape}; (k,) is accepted")
+        s = s[:, None]
         q, one, two, three = (a[..., None, :] for a in (self.point.q, self.rates, self.second, self.third))
         found: Array = q + s * (one + s * (two / 2.0 + s * three / 6.0))
         return found
@@ -144,9 +161,7 @@ class MotionRatios:
         Raises:
             InputError: there is no such joint, or it stands still somewhere; the fastest one is named.
         """
-        n = self.rates.shape[-1]
-        if not 1 <= leading <= n:
-            raise InputError(f"leading: there is no joint {shown(leading)}; 1 to {n} are accepted")
+        leading = leading_joint(leading, self.rates.shape[-1])
         speed = np.abs(self.rates)
         still = speed[..., leading - 1] <= STILL * speed.max(axis=-1)
         if still.any():
@@ -214,9 +229,9 @@ def motion_ratios(
         >>> motion_ratios(arm, q, [0.9439, 0.3304], -1.0, 0.25).path[:3].round(9)
         array([ 1.  , -1.  ,  0.25])
     """
-    if order not in (2, 3):
+    if not isinstance(order, int | np.integer) or order not in (2, 3):
         raise InputError(f"order: {shown(order)} is not known; 2 and 3 are accepted")
-    if second not in ("least", "rate"):
+    if not isinstance(second, str) or second not in ("least", "rate"):
         raise InputError(f"second: {shown(second)} is not known; 'least' and 'rate' are accepted")
     point = path_point(arm, q, tangent, curvature=curvature, curvature_rate=curvature_rate)
     k, change = (g[..., None] for g in point.geometry)

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from chainrule.errors import InputError
 from chainrule.planar_chains import Chain, Move, Moving, after_first, from_tip, merged, reached, then
-from chainrule.regions import TURN, Region, circle_meets
+from chainrule.regions import TURN, Region, circle_meets, triangle
 
 Array = NDArray[Any]
 Interval = tuple[float, float]
@@ -136,6 +136,9 @@ def _limited(whole: Chain, z: complex) -> tuple[Interval, ...]:
         rest = replace(whole, joints=joints[:-1], links=whole.links[:-1])
         turned = cmath.phase(rotation)
         return widened(_limited(rest, z), joints[-1].lower + turned, joints[-1].upper + turned)
+    if bool(_on_axis(whole, np.array([z]))[0]):  # the first joint turns everything about the tip
+        turned = cmath.phase(whole.links[0][0])
+        return widened(_limited(after_first(whole), 0j), joints[0].lower + turned, joints[0].upper + turned)
     if len(joints) < 2:
         return _single(whole, z)
     ends, between = _ends(whole), _between(whole)
@@ -149,6 +152,13 @@ def _limited(whole: Chain, z: complex) -> tuple[Interval, ...]:
     middles = np.array([0.5 * (a + b) for a, b in gaps])
     inside = between.reached(np.full(len(gaps), z), middles)
     return union([gap for gap, yes in zip(gaps, inside, strict=True) if yes] + [(a, a) for a in angles])
+
+
+def _on_axis(whole: Chain, z: Array) -> Array:
+    """Whether points (k,) are on the axis of the first moving joint, one of several."""
+    turns = len(whole.joints) > 1 and whole.joints[0].kind == "R"
+    found: Array = turns & (np.abs(z - whole.links[0][1]) <= 1e-11 * whole.size)
+    return found
 
 
 def _single(whole: Chain, z: complex) -> tuple[Interval, ...]:
@@ -173,7 +183,7 @@ class Everywhere:
         self.chain = whole
         self.region = reached(whole) if self.wrist >= TURN - SAME else None
         self.ends = _ends(whole) if len(whole.joints) >= 2 else None
-        self.between = _between(whole) if len(whole.joints) >= 2 else None
+        self.between = _between(whole, _sample(whole)) if len(whole.joints) >= 2 else None
 
     def __call__(self, z: Array) -> Array:
         """The answer for points (k,)."""
@@ -183,7 +193,10 @@ class Everywhere:
             return np.zeros(len(z), dtype=bool)
         step = max(1, 100_000 // max(self.ends.count, 1))
         parts = [self._chunk(z[k : k + step]) for k in range(0, len(z), step)]
-        return np.concatenate(parts) if parts else np.zeros(0, dtype=bool)
+        found = np.concatenate(parts) if parts else np.zeros(0, dtype=bool)
+        for k in np.nonzero(_on_axis(self.chain, z))[0]:
+            found[k] = widened(_limited(self.chain, complex(z[k])), 0.0, self.wrist) == FULL
+        return found
 
     def _chunk(self, z: Array) -> Array:
         """No gap between neighbouring ends is wider than what the wrist closes, unless poses inside are reached."""
@@ -225,7 +238,21 @@ def _ends(whole: Chain) -> Pairs:
     return Pairs(rows, whole.size, len(rows) + 1)
 
 
-def _between(whole: Chain) -> Triples:
+def _sample(whole: Chain) -> tuple[Array, Array]:
+    """Some poses (k,) that are reached: points and angles."""
+    rng = np.random.default_rng(0)
+    turned, z = np.zeros(256), np.zeros(256, dtype=complex)
+    for joint, (rotation, shift) in zip((None, *whole.joints), whole.links, strict=True):
+        value = 0.0 if joint is None else rng.uniform(joint.lower, joint.upper, len(z))
+        if joint is not None and joint.kind == "R":
+            turned = turned + value
+        else:
+            z = z + value * np.exp(1j * turned)
+        z, turned = z + shift * np.exp(1j * turned), turned + cmath.phase(rotation)
+    return z, turned
+
+
+def _between(whole: Chain, poses: tuple[Array, Array] | None = None) -> Triples:
     """Combinations of which one reaches any pose that can be reached: three joints move.
 
     Suppose a pose is reached. Lower the last joint's value as far as the others can make up for it: it ends at its
@@ -248,7 +275,23 @@ def _between(whole: Chain) -> Triples:
                     for middle in _locked(whole, j + 1, k, whole.links[j + 1])
                 ]
         tail = then(then(whole.links[k], whole.joints[k].at(whole.joints[k].lower)), tail)
+    if poses is not None and len(rows) > BLOCK // 4:
+        rows = _useful_first(rows, whole.size, *poses)
     return Triples(rows, whole.size, BLOCK)
+
+
+def _useful_first(rows: list[Row], size: float, z: Array, angle: Array) -> list[Row]:
+    """The rows in the order of how many of some poses (k,) they reach that those before them do not."""
+    reach = np.array([Triples([row], size, 1).reached(z, angle) for row in rows])
+    left, order = np.ones(len(z), dtype=bool), np.arange(len(rows))
+    for k in range(len(rows)):
+        gain = (reach[order[k:]] & left).sum(axis=1)
+        if not gain.any():
+            break
+        best = k + int(gain.argmax())
+        order[[k, best]] = order[[best, k]]
+        left &= ~reach[order[k]]
+    return [rows[k] for k in order]
 
 
 def _check(whole: Chain) -> None:
@@ -356,8 +399,10 @@ class Combinations:
         words = ["".join(joint.kind for joint in joints) for joints, _ in rows]
         for kinds in dict.fromkeys(words):
             same = [row for row, word in zip(rows, words, strict=True) if word == kinds]
-            for start in range(0, len(same), block):
-                joints, moves = zip(*same[start : start + block], strict=True)
+            # the first few alone: if they come in a good order, most poses need no others
+            starts = sorted({0, block // 4, *range(block, len(same), block)} & set(range(len(same))))
+            for start, stop in pairwise([*starts, len(same)]):
+                joints, moves = zip(*same[start:stop], strict=True)
                 limits = [np.array([[(j.lower, j.upper)] for j in column]) for column in zip(*joints, strict=True)]
                 self.groups.append((kinds, limits, [np.array(m)[:, None] for m in zip(*moves, strict=True)]))
 
@@ -423,18 +468,20 @@ def _two(kinds: str, w: Array, bridge: Array, d: Array, size: float) -> Iterator
     beta, b = bridge[..., 0], bridge[..., 1]
     with np.errstate(divide="ignore", invalid="ignore"):
         if kinds == "RR":
-            mixed = b.conj() * beta * d
-            cosine = (np.abs(w) ** 2 - np.abs(b) ** 2 - np.abs(d) ** 2) / (2.0 * np.abs(mixed))
-            exists = (np.abs(cosine) <= 1.0 + 1e-11) & (np.abs(mixed) > 1e-20 * size**2)
+            links, away = (np.abs(b), np.abs(d)), np.abs(w)
+            along, across = triangle(*links, away)  # where the second axis is: seen from the first, towards w
+            near, far = np.abs(links[0] - links[1]), links[0] + links[1]
+            exists = (away >= near - 1e-11 * size) & (away <= far + 1e-11 * size) & (away > 1e-12 * size)
+            exists &= np.minimum(*links) > 1e-12 * size
+            at, turned = np.angle(w * b.conj()), np.angle(b * (beta * d).conj())
             for sign in (-1.0, 1.0):
-                second = sign * np.arccos(np.clip(cosine, -1.0, 1.0)) - np.angle(mixed)
-                tip = b + beta * np.exp(1j * second) * d
-                yield np.angle(w * tip.conj()), second, exists & (np.abs(tip) > 1e-12 * size)
+                bend = sign * np.arctan2(across, along)
+                yield at + bend, turned - bend - sign * np.arctan2(across, away - along), exists
         elif kinds == "RP":
             base = b + beta * d
             along = (base.conj() * beta).real
             root = along**2 - np.abs(base) ** 2 + np.abs(w) ** 2
-            exists = root >= -1e-22 * size**2
+            exists = root >= -1e-11 * size**2
             for sign in (-1.0, 1.0):
                 slide = -along + sign * np.sqrt(np.maximum(root, 0.0))
                 yield np.angle(w * (base + beta * slide).conj()), slide, exists

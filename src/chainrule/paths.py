@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.errors import InputError, shown
+from chainrule.inputs import real_array
 
 Array = NDArray[Any]
 Position = Callable[[Array], Any]
@@ -35,6 +36,8 @@ _MOST_PANELS = 4096
 _SAMPLES, _MARGIN = 32, 1.02
 #: A curve whose speed falls below this share of its largest stands still: a cusp.
 _CUSP = 1e-7
+#: Coordinates and lengths are accepted up to this, and lengths down to its inverse.
+LARGEST = 1e40
 #: Degrees tried for a curve given without derivatives.
 _DEGREES = (32, 64, 128, 256, 512)
 
@@ -164,7 +167,7 @@ class Path(ABC):
         Raises:
             InputError: s is not finite numbers.
         """
-        return self.at(finite(s, "s"))
+        return self.at(real_array(s, "s"))
 
     def at(self, s: Array) -> Frame:
         """:meth:`frame` without checks, for loops."""
@@ -219,14 +222,14 @@ class Path(ABC):
             >>> float(found.s.round(6)), float(found.distance.round(6)), float(found.side)
             (1.570796, 0.5, -1.0)
         """
-        given = finite(points, "points")
+        given = real_array(points, "points")
         if given.ndim < 1 or given.shape[-1] != 2:
             raise InputError(f"points: shape {given.shape}; (..., 2) is accepted")
         if near is None:
             s = self._search(given.reshape(-1, 2)).reshape(given.shape[:-1])
         else:
             try:
-                start = np.broadcast_to(finite(near, "near"), given.shape[:-1])
+                start = np.broadcast_to(real_array(near, "near"), given.shape[:-1])
             except ValueError:
                 raise InputError(f"near: shape {np.shape(near)} does not fit {given.shape[:-1]} points") from None
             s = self.locate(given, start).s
@@ -312,11 +315,7 @@ class Arc(Path):
 
     def __init__(self, start: Sequence[float], tangent: Sequence[float], curvature: float, length: float) -> None:
         self.start = _pair(start, "start")
-        direction = _pair(tangent, "tangent")
-        size = math.hypot(*direction)
-        if size == 0.0:
-            raise InputError("tangent: (0, 0); a direction is accepted")
-        self.direction = direction / size
+        self.direction = unit(_pair(tangent, "tangent"), "tangent")
         self.bend = _number(curvature, "curvature")
         self.length = _positive(length, "length")
         self.max_curvature = abs(self.bend)
@@ -438,9 +437,9 @@ class _Parametric(Path):
     def _at(self, u: Array) -> Frame:
         r, r1, r2, r3 = self._derivatives(u, 3)
         v = np.hypot(r1[..., 0], r1[..., 1])
-        bend = cross(r1, r2)
-        rate = cross(r1, r3) / v**4 - 3.0 * bend * dot(r1, r2) / v**6
-        return Frame(r, r1 / v[..., None], bend / v**3, rate)
+        tangent = r1 / v[..., None]
+        bend = cross(tangent, r2) / v**2
+        return Frame(r, tangent, bend, cross(tangent, r3) / v**3 - 3.0 * bend * dot(tangent, r2) / v**2)
 
     def parameter(self, s: Array) -> Array:
         """The curve's own parameter at arc lengths from 0 to the length."""
@@ -549,7 +548,7 @@ class Spline(_Parametric):
     def __init__(self, points: Any, *, closed: bool = False) -> None:
         from scipy.interpolate import make_interp_spline
 
-        given = finite(points, "points")
+        given = _bounded(real_array(points, "points"), "points")
         if given.ndim != 2 or given.shape[1] != 2 or len(given) < 3:
             raise InputError(f"points: shape {given.shape}; (k, 2) with k at least 3 is accepted")
         if len(given) > 10_000:
@@ -615,8 +614,11 @@ class Curve(_Parametric):
         if not last > first:
             raise InputError(f"end: {last:g}; more than start = {first:g} is accepted")
         self.range = (first, last)
-        if derivatives is not None and len(derivatives) != 3:
-            raise InputError(f"derivatives: {len(derivatives)} functions; three (r', r'', r''') are accepted")
+        if not callable(position):
+            raise InputError(f"position: {shown(position)}; a function of u is accepted")
+        three = derivatives is None or (isinstance(derivatives, Sequence) and len(derivatives) == 3)
+        if not three or not all(callable(function) for function in derivatives or ()):
+            raise InputError(f"derivatives: {shown(derivatives)}; three functions (r', r'', r''') are accepted")
         self._given = [position, *derivatives] if derivatives is not None else []
         self._coefficients = _chebyshev(position, first, last) if derivatives is None else []
         self.closed = bool(closed)
@@ -680,7 +682,11 @@ def _chebyshev(position: Position, low: float, high: float) -> list[Array]:
 
 
 def _called(function: Position, u: Array, what: str) -> Array:
-    found = np.asarray(function(u))
+    given = function(u)
+    try:
+        found = np.asarray(given)
+    except ValueError:  # a ragged sequence
+        found = np.asarray(None)
     if found.shape != (*u.shape, 2) or found.dtype.kind not in "fiu":
         raise InputError(
             f"{what}: for u of shape {u.shape} it returned {found.dtype} of shape {found.shape}; "
@@ -688,7 +694,7 @@ def _called(function: Position, u: Array, what: str) -> Array:
         )
     if not np.isfinite(found).all():
         raise InputError(f"{what}: not finite at u = {u[~np.isfinite(found).all(axis=-1)][0]:.6g}")
-    return found.astype(float)
+    return _bounded(found.astype(float), what)
 
 
 def _panels(speed: Callable[[Array], Array], breaks: Array) -> tuple[Array, Array, Array]:
@@ -756,35 +762,59 @@ def _chebyshev_sum(series: Array, x: Array) -> Array:
 # ---- what was given --------------------------------------------------------------------------------------------
 
 
-def finite(values: Any, what: str) -> Array:
-    """Finite real numbers of any shape."""
+def real_number(value: Any, what: str) -> float:
+    """One finite number, no array.
+
+    Raises:
+        InputError: anything else.
+
+    Example:
+        >>> real_number(2, "radius")
+        2.0
+    """
     try:
-        array = np.asarray(values)
-    except ValueError:
-        raise InputError(f"{what}: rows of different lengths; numbers of one shape are accepted") from None
-    if array.dtype.kind not in "fiu":
-        raise InputError(f"{what}: {shown(values)}; real numbers are accepted")
-    if not np.isfinite(array).all():
-        raise InputError(f"{what}: {shown(values)}; finite numbers are accepted")
-    return array.astype(float)
+        array = real_array(value, what)
+    except InputError:
+        array = np.empty(1)
+    if array.ndim:
+        raise InputError(f"{what}: {shown(value)}; one finite number is accepted")
+    return float(array)
+
+
+def unit(vectors: Array, what: str) -> Array:
+    """Vectors (..., 2) of length 1, for any length but zero, however small or large.
+
+    Raises:
+        InputError: one of them is zero.
+    """
+    size = np.abs(vectors).max(axis=-1, keepdims=True)
+    if not (size > 0.0).all():
+        raise InputError(f"{what}: (0, 0); a direction is accepted")
+    scaled = vectors / size
+    found: Array = scaled / np.hypot(scaled[..., :1], scaled[..., 1:])
+    return found
+
+
+def _bounded(array: Array, what: str) -> Array:
+    """Lengths and coordinates whose powers stay within the range of doubles."""
+    if np.abs(array).max(initial=0.0) > LARGEST:
+        raise InputError(f"{what}: {np.abs(array).max():.3g} is too large; magnitudes up to {LARGEST:g} are accepted")
+    return array
 
 
 def _number(value: Any, what: str) -> float:
-    array = finite(value, what)
-    if array.ndim:
-        raise InputError(f"{what}: {shown(value)}; one number is accepted")
-    return float(array)
+    return float(_bounded(np.asarray(real_number(value, what)), what))
 
 
 def _positive(value: Any, what: str) -> float:
     number = _number(value, what)
-    if not number > 0.0:
+    if not number >= 1.0 / LARGEST:
         raise InputError(f"{what}: {number:g}; a positive number is accepted")
     return number
 
 
 def _pair(value: Any, what: str) -> Array:
-    array = finite(value, what)
+    array = real_array(value, what)
     if array.shape != (2,):
         raise InputError(f"{what}: {shown(value)}; two numbers (x, y) are accepted")
-    return array
+    return _bounded(array, what)

@@ -185,7 +185,7 @@ def nearest(p: Packed, z: Array) -> tuple[Array, Array]:
     return t, np.abs(z - np.where(p.arc, on_arc, p.start + t * chord))
 
 
-def _triangle(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
+def triangle(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
     """Apex of the triangle on the side c, at distance a from its start and b from its end: along it, and across.
 
     The height by Heron's product, which stays accurate where the triangle is flat or one side is tiny; 0 if there is
@@ -199,7 +199,7 @@ def circle_meets(p: Packed, radius: Array, slack: float) -> Iterator[tuple[Array
     """Where circles about the origin meet pieces: twice the points, and whether they are on the pieces; broadcast."""
     away, chord = np.abs(p.centre), p.end - p.start
     with np.errstate(divide="ignore", invalid="ignore"):
-        along, across = _triangle(radius, p.radius, away)
+        along, across = triangle(radius, p.radius, away)
         towards = p.centre / away
         unit = chord / np.where(chord == 0, 1.0, np.abs(chord))  # 0 for a point
         foot = p.start - unit * (p.start * unit.conj()).real
@@ -800,7 +800,7 @@ def _meetings(a: Packed, b: Packed, contact: float) -> list[Array]:
         # circle and circle
         d = b.centre - a.centre
         away = np.abs(d)
-        x, y = _triangle(a.radius, b.radius, away)
+        x, y = triangle(a.radius, b.radius, away)
         touch = np.minimum(np.abs(away - a.radius - b.radius), np.abs(away - np.abs(a.radius - b.radius))) <= contact
         x = np.where(touch, np.copysign(a.radius, x), x)
         y = np.where(touch, 0.0, np.where(y > 0.0, y, np.nan))

@@ -20,11 +20,16 @@ from numpy.typing import NDArray
 
 from chainrule.errors import GenerationError, InputError, shown
 from chainrule.higher_order import MotionRatios
+from chainrule.inputs import real_array
 
 Array = NDArray[Any]
 
 #: Grid intervals over a whole path, and the least number in one piece of it.
 GRID, LEAST = 400, 8
+#: Knots nearer to each other than this share of the allowed deviation are one where corners are rounded.
+NEAR = 1e-3
+#: Pieces shorter than this share of the path are too short for the grid.
+SHORTEST = 1e-9
 #: How far before the end of a piece its last grid point lies, relative to its length.
 EDGE = 1e-4
 #: Points of every grid interval at which the limits are checked at last.
@@ -84,7 +89,7 @@ def polyline(knots: Any, weights: Any = 1.0) -> JointPath:
         array([[0.5, 1. ]])
     """
     points = _knots(knots)
-    lengths = np.max(np.abs(np.diff(points, axis=0)) / weights, axis=1)
+    lengths = np.max(np.abs(np.diff(points, axis=0)) / _positive(weights, "weights", points.shape[1]), axis=1)
     marks = np.concatenate([[0.0], np.cumsum(lengths)])
     moving = np.flatnonzero(lengths > 0.0)
     if not len(moving):
@@ -111,10 +116,15 @@ def rounded(knots: Any, deviation: Any, weights: Any = 1.0) -> JointPath:
         >>> path.at(path.marks[1:2]).round(6)     # 0.05 from the corner (1, 0) in either joint
         array([[0.95, 0.05]])
     """
-    allowed = _positive(deviation, "deviation", _knots(knots).shape[1])
-    straight = polyline(knots, weights)
+    points = _knots(knots)
+    allowed = _positive(deviation, "deviation", points.shape[1])
+    kept, stands = _apart(points, NEAR * allowed)
+    straight = polyline(points[kept], weights)
+    marks = straight.marks[stands]
+    if len(kept) < len(points):
+        allowed = allowed * (1.0 - NEAR)
     if len(straight.pieces) < 2:
-        return straight
+        return JointPath(straight.breaks, straight.pieces, marks, False)
     slopes, lengths = straight.pieces[:, 1], np.diff(straight.breaks)
     jumps = np.abs(np.diff(slopes, axis=0))
     with np.errstate(divide="ignore"):
@@ -132,7 +142,22 @@ def rounded(knots: Any, deviation: Any, weights: Any = 1.0) -> JointPath:
             corner = straight.pieces[k + 1, 0]
             pieces.append([corner - after * slope, slope, (ahead - slope) / (4.0 * after)])
             breaks.append(straight.breaks[k + 1] + after)
-    return JointPath(np.array(breaks), np.array(pieces), straight.marks, False)
+    return JointPath(np.array(breaks), np.array(pieces), marks, False)
+
+
+def _apart(points: Array, near: Array) -> tuple[list[int], list[int]]:
+    """The knots to keep, with no neighbour nearer than ``near`` in every joint, and which of them stands for each knot.
+
+    Of a cluster the first is kept, and in the last one the last: both ends stay where they are.
+    """
+    kept, stands = [0], [0]
+    for k in range(1, len(points)):
+        if (np.abs(points[k] - points[kept[-1]]) > near).any():
+            kept.append(k)
+        stands.append(len(kept) - 1)
+    if len(kept) == 1:
+        return [0, len(points) - 1], [*stands[:-1], 1]
+    return [*kept[:-1], len(points) - 1], stands
 
 
 def motion_path(motion: MotionRatios, length: float) -> JointPath:
@@ -141,6 +166,8 @@ def motion_path(motion: MotionRatios, length: float) -> JointPath:
     Raises:
         InputError: ratios of a batch, or a length that is not positive.
     """
+    if not isinstance(motion, MotionRatios):
+        raise InputError(f"motion: {shown(motion)}; what motion_ratios gives is accepted")
     if motion.rates.ndim != 1:
         raise InputError(f"a batch {motion.rates.shape[:-1]} of motions; one is accepted")
     end = float(_positive(length, "length", None))
@@ -149,27 +176,22 @@ def motion_path(motion: MotionRatios, length: float) -> JointPath:
 
 
 def _knots(knots: Any) -> Array:
-    try:
-        points = np.asarray(knots, float)
-    except (TypeError, ValueError):
-        raise InputError(f"knots: {shown(knots)} is not an array of numbers; (k + 1, n) is accepted") from None
+    points = real_array(knots, "knots")
     if points.ndim != 2 or len(points) < 2 or not points.shape[1]:
         raise InputError(f"knots has shape {points.shape}; (k + 1, n) with two knots or more is accepted")
-    if not np.isfinite(points).all():
-        row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
-        raise InputError(f"knots, knot {row}: an entry is nan or infinite; finite numbers are accepted")
     return points
 
 
 def _positive(value: Any, name: str, n: int | None, finite: bool = True) -> Array:
     """A positive number, or one for each of n joints."""
-    wanted = "a positive number" if n is None else f"a positive number, or {n} of them,"
+    wanted = "a positive number" if n is None else f"a positive number, or one for each of {n} joints,"
+    given = real_array(value, name, finite=finite)
     try:
-        array = np.broadcast_to(np.asarray(value, float), () if n is None else (n,))
-    except (TypeError, ValueError):
+        array = np.broadcast_to(given, () if n is None else (n,))
+    except ValueError:
         raise InputError(f"{name}: {shown(value)} does not fit; {wanted} is accepted") from None
-    if not (array > 0.0).all() or (finite and not np.isfinite(array).all()):
-        raise InputError(f"{name}: {shown(value)} has an entry that is not positive{' and finite' if finite else ''}")
+    if not (array > 0.0).all():
+        raise InputError(f"{name}: {shown(value)} has an entry that is not positive; {wanted} is accepted")
     return array
 
 
@@ -211,7 +233,7 @@ class TimeScaling:
 
         Where the acceleration jumps, that of the later phase.
         """
-        t = np.clip(np.asarray(t, float), 0.0, self.duration)
+        t = np.clip(real_array(t, "t"), 0.0, self.duration)
         if not len(self.accelerations):
             start = np.broadcast_to(self.path.pieces[0, 0], (*t.shape, self.path.n))
             return start, np.zeros_like(start), np.zeros_like(start)
@@ -257,7 +279,7 @@ def time_scaling(
         array([[1. , 0.5],
                [0. , 0. ]])
     """
-    if method not in ("stop", "toppra"):
+    if not isinstance(method, str) or method not in ("stop", "toppra"):
         raise InputError(f"method: {shown(method)} is not known; 'stop' and 'toppra' are accepted")
     n = path.n if isinstance(path, JointPath) else _knots(path).shape[1]
     limits = _positive(velocity, "velocity", n, finite=False), _positive(acceleration, "acceleration", n)
@@ -270,7 +292,10 @@ def time_scaling(
         if deviation is None:
             raise InputError("deviation: 'toppra' rounds the corners between knots; say how far it may leave them")
         stops = _stopping(polyline(path, weights), *limits)
-        found = _fastest(rounded(path, deviation, weights), *limits)
+        smooth = rounded(path, deviation, weights)
+        if np.diff(smooth.breaks).min() <= SHORTEST * smooth.breaks[-1]:
+            return stops
+        found = _fastest(smooth, *limits)
         # roundings so small that the corners are all but stops: the exact profile may beat the grid's
         return found if found.duration < stops.duration else stops
     if path.corners:

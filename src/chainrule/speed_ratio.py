@@ -366,9 +366,6 @@ def speed_ratios(
     if again.any():
         leads[again] = _busiest(rates[again], count[again], chosen[again])
         ratios[again] = _divided(rates[again], leads[again][..., None])
-    none = count == 0
-    if none.any():
-        chosen[none] = -1
     found = SpeedRatios(
         arm=arm,
         asked=asked,
@@ -378,7 +375,7 @@ def speed_ratios(
         desired_rate=wanted[..., 1],
         status=status,
         count=count,
-        exact=verdict[..., 3] != 0,
+        exact=verdict[..., 3].view(bool),
         leading=leads,
         rates=rates,
         ratios=ratios,
@@ -386,19 +383,15 @@ def speed_ratios(
         curvature_rates=solutions[..., 6],
         chosen=chosen,
     )
-    if not shape:
-        return _trimmed(found)
-    whole = solutions.view(_SOLUTION)[..., 0]  # struck out in one piece each
-    if none.any():
-        whole[none, 0] = _NOTHING
-    whole[..., 1][count < 2] = _NOTHING
-    return found
+    return found if shape else _trimmed(found)
 
 
 def _solved(
     arm: Arm, q: Array, direction: Array, wanted: Array, first: int, shape: tuple[int, ...]
 ) -> tuple[Array, Array]:
     """Both solutions (..., 2, 7) = rates, ratios, curvature and its rate, and the verdict (..., 5) as small integers.
+
+    What does not exist is nan, and chosen -1 where nothing does.
 
     Raises:
         InputError: what is given, or what comes out, is not finite.
@@ -424,9 +417,18 @@ def _solved(
         if not np.isfinite(part[..., 6]).all():
             raise _unusable(q, direction, wanted)
         verdict[block] = spare[0]
-    if not np.isfinite(wanted[..., 1]).all():
-        raise _unusable(q, direction, wanted)
+        _struck_out(part, verdict[block])
     return solutions, verdict
+
+
+def _struck_out(solutions: Array, verdict: Array) -> None:
+    """Makes nan of the solutions that do not exist, each in one piece."""
+    whole, count = solutions.view(_SOLUTION)[..., 0], verdict[..., 1]
+    whole[..., 1][count < 2] = _NOTHING
+    if not count.all():
+        none = count == 0
+        whole[..., 0][none] = _NOTHING
+        verdict[none, 2] = -1
 
 
 def table(found: SpeedRatios) -> Table:
@@ -510,20 +512,29 @@ def _leading(leading: Any) -> Leading:
 def _inputs(q: Any, tangent: Any, curvature: Any, rate: Any) -> tuple[Array, Array, Array, tuple[int, ...]]:
     """Copies of q and the directions, the desired curvatures with their rates (..., 2), and the leading axes of all.
 
-    That they are finite is looked at once the results are there: what is not a number leaves none.
+    That they are finite is looked at once the results are there, but for the curvatures' rates: what else is not a
+    number leaves none.
     """
     configurations, direction = np.array(_real("q", q, 3)), np.array(_real("tangent", tangent, 2))
     wanted = (_real("curvature", curvature), _real("curvature_rate", rate))
     try:
-        bend = np.empty((*np.broadcast_shapes(wanted[0].shape, wanted[1].shape), 2))
+        bend = np.empty((*_common(wanted[0].shape, wanted[1].shape), 2))
         bend[..., 0], bend[..., 1] = wanted
-        shape = np.broadcast_shapes(configurations.shape[:-1], direction.shape[:-1], bend.shape[:-1])
+        shape = _common(configurations.shape[:-1], direction.shape[:-1], bend.shape[:-1])
     except ValueError:
         shapes = (configurations.shape[:-1], direction.shape[:-1], wanted[0].shape, wanted[1].shape)
         raise InputError(
             f"speed_ratios: the leading axes of q, tangent, curvature and curvature_rate, {shapes}, do not broadcast"
         ) from None
+    if not np.isfinite(wanted[1]).all():
+        raise _unusable(configurations, direction, bend)
     return configurations, direction, bend, shape
+
+
+def _common(*shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """The shape that all broadcast to; mostly those that are not () are the same."""
+    unlike = set(shapes) - {()}
+    return unlike.pop() if len(unlike) == 1 else np.broadcast_shapes(*unlike)
 
 
 def _unusable(q: Array, direction: Array, wanted: Array) -> InputError:
