@@ -31,6 +31,9 @@ Row = list[Expression]
 #: What counts as zero: this many times the size that rounding alone gives a quantity (64 units in the last place).
 ROUNDING = sp.Rational(1, 2**46)
 
+#: What is shorter, in metres, has no length to measure by.
+TINY = sp.Rational(1, 2**100)
+
 TANGENT = Input("tangent", (2,), (sp.Symbol("tx", real=True), sp.Symbol("ty", real=True)))
 #: A joint that makes less than this part of the fastest joint's rate counts as standing still: it cannot lead.
 STANDSTILL = sp.Rational(1, 2**40)
@@ -144,8 +147,9 @@ def terms(arm: PlanarChain, leading: int) -> Program:
     bent = [steps.let(f"B{k + 1}_1", form(*pair)[1]) for k, pair in enumerate(pairs)]
     conic = [steps.let(f"B{k + 1}", c + kappa * b) for k, (c, b) in enumerate(zip(constant, bent, strict=True))]
     # the second ratio is eliminated, or the first where (5) says nothing of the second
-    size = steps.let("size", reach(frame))
-    usual = steps.let("usual", exceeds(line[1], ROUNDING * size))
+    span = steps.let("span", reach(frame))
+    bounds = [ROUNDING if frame.kinds[joint] == "P" else ROUNDING * span for joint in (i, j)]
+    usual = steps.let("usual", exceeds(line[1], bounds[1]))
 
     def either(name: str, first: Expression, second: Expression) -> Expression:
         return steps.let(name, usual * first + (1 - usual) * second)
@@ -157,7 +161,8 @@ def terms(arm: PlanarChain, leading: int) -> Program:
 
     # gone = -(slant kept + offset) on the line (5)
     pivot = either("pivot", line[1], line[0])
-    inverse = steps.let("inverse", guarded(steps, pivot, steps.let("solvable", exceeds(pivot, ROUNDING * size))))
+    bound = either("bound", bounds[1], bounds[0])
+    inverse = steps.let("inverse", guarded(steps, pivot, steps.let("solvable", exceeds(pivot, bound))))
     slant = steps.let("slant", either("other", line[0], line[1]) * inverse)
     offset = steps.let("offset", line[2] * inverse)
     b = [steps.let(f"b{k + 1}", e) for k, e in enumerate(eliminated(slant, offset, ordered("kept", constant)))]
@@ -207,8 +212,8 @@ def plain_elimination(arm: PlanarChain, leading: int) -> tuple[Row, Row]:
 
 
 def reach(frame: TangentFrame) -> Expression:
-    """The size of what r is made of: the advances, and the unit columns of the prismatic joints."""
-    return sp.sqrt(sum((advance**2 for advance in frame.advances), sp.Integer(frame.kinds.count("P"))))
+    """The size of the links: the root of the sum of the advances squared."""
+    return sp.sqrt(sum((advance**2 for advance in frame.advances), sp.Integer(0)))
 
 
 def exceeds(value: Expression, bound: Expression) -> Expression:
@@ -268,10 +273,23 @@ def rates(arm: PlanarChain) -> Program:
     zero, one = sp.Integer(0), sp.Integer(1)
     normal = [steps.let(f"N{k + 1}", e) for k, e in enumerate(cross(frame.along, frame.across))]
     height = steps.let("H", sp.sqrt(sum((e**2 for e in normal), zero)))
-    size = steps.let("size", reach(frame))
-    norm = steps.let("norm", sp.sqrt(sum((e**2 for e in (*frame.along, *frame.across)), zero)))
-    # J is right to a rounding of size, N to one of size |J|, n to one of size |J| / H
-    regular = steps.let("regular", exceeds(height, ROUNDING * size * norm))
+    # Bounds of rounding compare metres with radians, so slides are measured in units of the links' own size (of 1 m
+    # where they have none). J is then right to a rounding of size, N to one of size |J|, and n to one of size |J| / H.
+    slides = frame.kinds.count("P")
+    span = steps.let("span", reach(frame))
+    pointlike = steps.let("pointlike", 1 - exceeds(span, TINY)) if slides else zero
+    measure = steps.let("measure", span + pointlike) if slides else one
+    units = [measure if kind == "P" else one for kind in frame.kinds]
+    size = steps.let("size", measure * sp.sqrt(1 + slides)) if slides else span
+    turned = [pair for kind, *pair in zip(frame.kinds, frame.along, frame.across, strict=True) if kind == "R"]
+    if turned:
+        norm = steps.let("norm", sp.sqrt(sum((e**2 for pair in turned for e in pair), slides * measure**2)))
+    else:
+        norm = steps.let("norm", measure * sp.sqrt(slides))
+    scaled = [(e / u) ** 2 for e, u in zip(normal, units, strict=True)]
+    spread = steps.let("spread", sp.sqrt(sum(scaled, zero))) if slides else height
+    volume = measure**slides
+    regular = steps.let("regular", exceeds(spread * volume, ROUNDING * size * norm))
     inverse = steps.let("inverse", guarded(steps, height, regular))
     null = [steps.let(f"null{k + 1}", e * inverse) for k, e in enumerate(normal)]
     least = [steps.let(f"least{k + 1}", e * inverse) for k, e in enumerate(cross(frame.across, null))]
@@ -280,9 +298,12 @@ def rates(arm: PlanarChain) -> Program:
     p1 = steps.let("p1", 2 * frame.second(other, own)[1])
     p0 = steps.let("p0", frame.second(other, other)[1])
     # what rounding may leave of a coefficient that is zero: r'' has the size of the advances times the rates squared
-    length = steps.let("length", sp.sqrt(sum((e**2 for e in least), zero)))
-    unit = steps.let("unit", ROUNDING * size * size * norm * inverse)
-    slip1, slip0 = steps.let("slip1", 2 * unit * length), steps.let("slip0", unit * length**2)
+    length = steps.let("length", sp.sqrt(sum(((e / u) ** 2 for e, u in zip(least, units, strict=True)), zero)))
+    stretch = steps.let("stretch", spread * inverse) if slides else one  # |n|, as length is |least|
+    slope = guarded(steps, spread, regular) / volume if slides else inverse
+    tilt = steps.let("tilt", ROUNDING * size * size * norm * slope)
+    unit = steps.let("unit", tilt * stretch**2) if slides else tilt
+    slip1, slip0 = steps.let("slip1", 2 * tilt * stretch * length), steps.let("slip0", tilt * length**2)
     gap = steps.let("gap", p0 - kappa)
     slack = steps.let("slack", p1**2 - 4 * p2 * gap)
     sizes = [CopySign(e, one) for e in (p1, gap, p2)]
@@ -300,6 +321,7 @@ def rates(arm: PlanarChain) -> Program:
     first = steps.let("z1", gap * guarded(steps, half, twice) + single)
     second = steps.let("z2", half * guarded(steps, p2, twice))
     e1, e2, e3 = LEADING.symbols
+    leading_unit = e1 * units[0] + e2 * units[1] + e3 * units[2] if slides else one
     found: Row = []
     ratios: Row = []
     curvatures: Row = []
@@ -308,11 +330,12 @@ def rates(arm: PlanarChain) -> Program:
     for number, (z, exists) in enumerate(((first, regular), (second, steps.let("exists2", regular * twice))), 1):
         x = [steps.let(f"rate{number}_{k + 1}", exists * (least[k] + z * null[k])) for k in range(3)]
         lead = steps.let(f"lead{number}", e1 * x[0] + e2 * x[1] + e3 * x[2])
-        most = steps.let(f"most{number}", sp.Max(*(CopySign(e, one) for e in x)))
-        leads = steps.let(f"leads_{number}", exceeds(lead, STANDSTILL * most))
+        most = steps.let(f"most{number}", sp.Max(*(CopySign(e / u, one) for e, u in zip(x, units, strict=True))))
+        leads = steps.let(f"leads_{number}", exceeds(lead, STANDSTILL * most * leading_unit))
         still += exists * (1 - leads)
         share = steps.let(f"share{number}", guarded(steps, lead, leads))
-        ratios += [(x[0] + e1 * (x[1] - x[0])) * share, (x[2] + e3 * (x[1] - x[2])) * share]
+        # chosen by factors of 0 and 1, not by differences: a slow joint's rate is not lost beside a fast one's
+        ratios += [((1 - e1) * x[0] + e1 * x[1]) * share, ((1 - e3) * x[2] + e3 * x[1]) * share]
         links = _named(steps, frame.rates(x), str(number))
         bend_along, bend = frame.second(links, links)
         curvature = steps.let(f"k{number}", bend)

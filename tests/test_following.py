@@ -462,9 +462,10 @@ def test_updates_can_be_limited() -> None:
 REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: follow(ARM, PATHS["circle"](), 0.0), "tolerance: 0.0; a positive"),
     (lambda: follow(ARM, PATHS["circle"](), -1.0), "a positive"),
-    (lambda: follow(ARM, PATHS["circle"](), np.nan), "finite"),
-    (lambda: follow(ARM, PATHS["circle"](), [0.1]), "a positive number"),  # type: ignore[arg-type]
+    (lambda: follow(ARM, PATHS["circle"](), np.nan), "tolerance: nan; one finite"),
+    (lambda: follow(ARM, PATHS["circle"](), [0.1]), "tolerance: .0.1.; one finite"),  # type: ignore[arg-type]
     (lambda: follow(ARM, PATHS["circle"](), 0.39), "up to 0.36 m"),
+    (lambda: follow(ARM, PATHS["circle"](), 1e-300), "tolerance: 1e-300 m; at least"),
     (lambda: follow(ARM, "circle", 0.1), "a path such as"),  # type: ignore[arg-type]
     (lambda: follow(ARM, PATHS["circle"](), 0.01, method="best"), "pseudoinverse, speed_ratio"),  # type: ignore[arg-type]
     (lambda: follow(ARM, PATHS["circle"](), 0.01, q=[0.0, 0.0]), "q: shape"),
@@ -472,6 +473,9 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: follow(ARM, PATHS["circle"](), 0.01, q=[0.0, 0.0, 0.0]), "from the path, farther than the tolerance"),
     (lambda: follow(ARM, PATHS["circle"](), 0.01, start=-0.1), "start"),
     (lambda: follow(ARM, PATHS["line"](), 0.01, start=9.0), "start"),
+    (lambda: follow(ARM, PATHS["line"](), 0.01, start=[0.1, 0.2]), "start: .* one finite"),  # type: ignore[arg-type]
+    (lambda: follow(ARM, PATHS["line"](), 0.01, method=np.array(["a", "b"])), "method"),  # type: ignore[arg-type]
+    (lambda: follow("planar_3r", PATHS["line"](), 0.01), "arm: 'planar_3r'; an arm"),  # type: ignore[arg-type]
     (lambda: follow(ARM, PATHS["circle"](), 0.01, max_updates=-1), "max_updates"),
     (lambda: follow(cr.planar("RR", [1.0, 0.5]), PATHS["circle"](), 0.01), "a planar arm with three joints"),
     (lambda: follow(cr.load("panda"), PATHS["circle"](), 0.01), "a planar arm with three joints"),
@@ -485,7 +489,21 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: compare(ARM, np.zeros((2, 3)), np.ones((3, 2)), 1.0, 0.01), "broadcast"),
     (lambda: compare(ARM, [0.0, 1.0, 1.0], [1.0, 0.0], np.inf, 0.01), "finite"),
     (lambda: compare(ARM, [0.0, 1.0, 1.0], [1.0, 0.0], 10.0, 0.1), "up to 0.09 m"),
+    (lambda: compare(ARM, [0.0, 1.0, 1.0], [1.0, 0.0], 1.0, 1e-200), "at least"),
+    (lambda: compare(ARM, [0.0, 1.0, 1.0], [1.0, 0.0], 1.0, 0.01, methods=()), "methods"),
+    (lambda: compare(ARM, [0.0, 1.0, 1.0], [1.0, 0.0], 1.0, 0.01, methods="two_term"), "methods"),  # type: ignore[arg-type]
+    (
+        lambda: compare(ARM, [0.0, 1.0, 1.0], [1.0, 0.0], 1.0, 0.01, methods=["two_term"]).of("look_ahead"),
+        "method: 'look_ahead'; two_term were compared",
+    ),
     (lambda: study(0), "count"),
+    (lambda: study(5, seed=-1), "seed: -1"),
+    (lambda: study(5, curvature=[1.0, 2.0]), "curvature: .* one finite"),  # type: ignore[arg-type]
+    (lambda: study(5, lengths=[1.0, -1.0, 1.0]), "three positive"),
+    (lambda: study_paths("circle", 2), "a path such as"),  # type: ignore[arg-type]
+    (lambda: study_paths(PATHS["circle"](), 0), "count: 0"),
+    (lambda: study_paths(PATHS["circle"](), 2, max_updates=1.5), "max_updates: 1.5"),  # type: ignore[arg-type]
+    (lambda: study_paths(PATHS["circle"](), 2, methods=("best",)), "method: 'best'"),  # type: ignore[arg-type]
     (lambda: study(5, kinds="RRRR"), "three letters"),
     (lambda: study(5, lengths=[1.0, 2.0]), "lengths"),
     (lambda: study_paths(Circle((0.0, 0.0), 50.0), 5), "a smaller path"),

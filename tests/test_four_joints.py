@@ -496,12 +496,15 @@ def test_refusals() -> None:
         (lambda: speed_ratios_4(cr.planar_3r(1, 1, 1), q, [1, 0], 0.0), "four joints are accepted"),
         (lambda: speed_ratios_4(cr.load("panda"), q, [1, 0], 0.0), "four joints are accepted"),
         (lambda: speed_ratios_4(arm, q[:3], [1, 0], 0.0), r"q has shape \(3,\)"),
-        (lambda: speed_ratios_4(arm, q, [0, 0], 0.0), "tangent: it is zero"),
-        (lambda: speed_ratios_4(arm, q, [1, 0], np.nan), "curvature: an entry is nan"),
+        (lambda: speed_ratios_4(arm, q, [0, 0], 0.0), r"tangent: \(0, 0\)"),
+        (lambda: speed_ratios_4(arm, q, [1, 0], np.nan), "curvature: nan; finite"),
         (lambda: speed_ratios_4(arm, [q, q], [1, 0], 0.0), "speed_ratios_4_each takes many"),
         (lambda: speed_ratios_4(arm, [0.1, 0, 0, 0], [1, 0], 0.0), "singular"),
         (lambda: speed_ratios_4_each(arm, [q, [0.1, 0, 0, 0]], [1, 0], 0.0), "configuration 1: singular"),
         (lambda: speed_ratios_4(arm, q, [1, 0], 0.0).ratios(5), "no joint 5"),
+        (lambda: speed_ratios_4(arm, q, [1, 0], 0.0).ratios("x"), "no joint 'x'"),  # type: ignore[arg-type]
+        (lambda: speed_ratios_4("RRRR", q, [1, 0], 0.0), "arm: 'RRRR'; an arm"),  # type: ignore[arg-type]
+        (lambda: speed_ratios_4(arm, q, [1, 0], 1e20, 1e60), "curvature_rate: 1e.60 is too large"),
     ):
         with pytest.raises(InputError, match=words) as caught:
             call()

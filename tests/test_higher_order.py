@@ -223,9 +223,17 @@ def test_refusals() -> None:
         (lambda: motion_ratios(cr.load("panda"), np.zeros(7), [1, 0], 0.0), "known for planar arms"),
         (lambda: motion_ratios(arm, q[:2], [1, 0], 0.0), r"q has shape \(2,\)"),
         (lambda: motion_ratios(arm, q, [1, 0, 0], 0.0), r"tangent has shape \(3,\)"),
-        (lambda: motion_ratios(arm, q, [0, 0], 0.0), "tangent: it is zero"),
-        (lambda: motion_ratios(arm, q, [1, 0], np.inf), "curvature: an entry is nan or infinite"),
-        (lambda: motion_ratios(arm, q, [1, 0], "tight"), "curvature: 'tight' is not"),
+        (lambda: motion_ratios(arm, q, [0, 0], 0.0), r"tangent: \(0, 0\)"),
+        (lambda: motion_ratios(arm, q, [1, 0], np.inf), "curvature: inf; finite"),
+        (lambda: motion_ratios(arm, q, [1, 0], "tight"), "curvature: 'tight'; an array"),
+        (lambda: motion_ratios(arm, q, [1, 0], 1e200), "curvature: 1e.200 is too large"),
+        (lambda: motion_ratios("planar_3r", q, [1, 0], 0.0), "arm: 'planar_3r'; an arm"),  # type: ignore[arg-type]
+        (lambda: motion_ratios(arm, q, [1, 0], 0.0, order=3.0), "order: 3.0"),  # type: ignore[arg-type]
+        (lambda: motion_ratios(arm, q, [1, 0], 0.0, order=np.array([2, 3])), "order"),  # type: ignore[arg-type]
+        (lambda: motion.at([np.nan]), r"s\[0\]: nan"),
+        (lambda: motion.at(0.1), "s: shape"),
+        (lambda: motion.ratios(1.5), "no joint 1.5"),  # type: ignore[arg-type]
+        (lambda: motion.ratios(True), "no joint True"),
         (lambda: motion_ratios(arm, [q, q], np.ones((3, 2)), 0.0), "do not broadcast"),
         (lambda: motion_ratios(arm, q, [1, 0], 0.0, order=4), "order: 4 is not known"),
         (lambda: motion_ratios(arm, q, [1, 0], 0.0, second="most"), "'least' and 'rate' are accepted"),

@@ -229,13 +229,12 @@ def test_joints_that_are_held_are_numbers():
     best = max_manipulability(arm)  # stretched: singular
     assert (best.value, best.bound, best.proved) == (0.0, 0.0, True)
     held = cr.planar("RPR", [1.0, 0.5, 0.25]).with_limits(position=[None, (0.3, 0.3), None])
-    free = cr.planar("RR", [1.0, 0.25])
-    assert max_manipulability(held).proved
+    best = max_manipulability(held)
+    assert best.proved
     q = np.random.default_rng(7).uniform(-np.pi, np.pi, (20_000, 3))
     q[:, 1] = 0.3
     some = held.manipulability(q)
-    assert 0.999 * max_manipulability(held).value < some.max() <= max_manipulability(held).bound
-    assert max_manipulability(free).value == 0.25
+    assert 0.999 * best.value < some.max() <= best.bound
 
 
 def test_a_box_that_ends_at_a_neighbourhoods_edge_is_not_inside_it():
@@ -441,7 +440,7 @@ def test_refusals():
 
 @pytest.mark.parametrize("budget", [0, -3, 10.5, math.nan, "10", True])
 def test_a_budget_is_a_whole_number(budget):
-    with pytest.raises(InputError, match="budget: .*; a whole number, 1 or more, is accepted"):
+    with pytest.raises(InputError, match=r"budget: .*; a whole number, 1 or more, is accepted"):
         max_manipulability(cr.planar_3r(1.0, 0.5, 0.25), budget=budget)
 
 

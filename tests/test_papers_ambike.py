@@ -21,6 +21,7 @@ def test_nothing_is_left_unexplained(rows):
     assert {row.verdict for row in rows} <= set(VERDICTS)
     assert all(row.how and row.where and row.paper and row.ours for row in rows)
     assert all(row.note for row in rows if row.verdict in ("special case", "refined", "corrected"))
+    assert not any(row.note.endswith(".") for row in rows)  # the full stop is added where notes are printed
 
 
 def test_every_number_of_the_examples_is_there(rows):
@@ -97,6 +98,7 @@ def test_a_changed_answer_is_found_out(monkeypatch):
 
 
 def test_what_other_modules_add_comes_last(monkeypatch):
+    monkeypatch.setattr(ambike, "_claims", list)  # proved above
     monkeypatch.setattr(ambike, "MORE", (("more", "chainrule.papers.ambike", "shown_more"),))
     monkeypatch.setattr(
         ambike, "shown_more", lambda progress: (ambike.shown_answer("", "", "", True, ""),), raising=False

@@ -16,7 +16,7 @@ from scipy.interpolate import PPoly
 from scipy.special import ellipe
 
 from chainrule.errors import DescriptionError, InputError
-from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Path, Spline, arc_frame, arc_locate
+from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Path, Spline, arc_frame, arc_locate, unit
 from chainrule.readers.paths import from_csv, from_toml, read_path
 
 POINTS = np.random.default_rng(7).uniform(0.0, 1.0, (9, 2))
@@ -238,6 +238,10 @@ def test_closed_splines() -> None:
 REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: Circle((0.0, 0.0), 0.0), "radius: 0; a positive"),
     (lambda: Circle((0.0, np.nan), 1.0), "centre"),
+    (lambda: Circle((0.0, 0.0), [1.0]), "radius: .* one finite number"),  # type: ignore[arg-type]
+    (lambda: Circle((1e308, 1e308), 1.0), "centre: 1e.308 is too large"),
+    (lambda: Line((-1e308, 0.0), (1e308, 0.0)), "start: .* too large"),
+    (lambda: Ellipse((0.0, 0.0), (1e-200, 1e-200)), "a positive"),
     (lambda: Circle((0.0,), 1.0), "two numbers"),  # type: ignore[arg-type]
     (lambda: Circle("ab", 1.0), "real numbers"),  # type: ignore[arg-type]
     (lambda: Line((1.0, 1.0), (1.0, 1.0)), "two points"),
@@ -248,10 +252,16 @@ REFUSED: list[tuple[Callable[[], Any], str]] = [
     (lambda: Spline([(0.0, 0.0), (1.0, 1.0)]), "at least 3"),
     (lambda: Spline([(0.0, 0.0), (1.0, 1.0), (1.0, 1.0), (2.0, 0.0)]), "numbers 2 and 3 are one point"),
     (lambda: Spline([(0.0, 0.0), (1.0, 1.0), (0.0, 0.0)]), "3 different points"),
-    (lambda: Spline([(0.0, 0.0), (1.0, 1.0), (2.0,)]), "different lengths"),
+    (lambda: Spline([(0.0, 0.0), (1.0, 1.0), (2.0,)]), "points: a ragged"),
+    (lambda: Spline([(0.0, 0.0), (1e300, 1.0), (2e300, 0.0)]), "points: 2e.300 is too large"),
     (lambda: Curve(lambda u: np.stack([u, np.abs(u - 0.3)], axis=-1), 0.0, 1.0), "not smooth enough"),
     (lambda: Curve(lambda u: np.stack([u**2, u**3], axis=-1), -1.0, 1.0), "stands still|not smooth"),
     (lambda: Curve(lambda u: u, 0.0, 1.0), "shape"),
+    (lambda: Curve(lambda u: [u, [1.0]], 0.0, 1.0), "returned object"),
+    (lambda: Curve("r", 0.0, 1.0), "position: 'r'; a function"),  # type: ignore[arg-type]
+    (lambda: Curve(np.sin, 0.0, 1.0, derivatives=(1, 2, 3)), "three functions"),  # type: ignore[arg-type]
+    (lambda: Curve(np.sin, 0.0, 1.0, derivatives=1), "three functions"),  # type: ignore[arg-type]
+    (lambda: read_path(None), "not from None"),  # type: ignore[arg-type]
     (lambda: Curve(lambda u: np.stack([u, 1.0 / (u - 5.0)], axis=-1) * np.nan, 0.0, 1.0), "not finite at u"),
     (lambda: Curve(lambda u: np.stack([u, u], axis=-1), 1.0, 0.0), "more than start"),
     (lambda: Curve(lambda u: np.stack([u, u**2], axis=-1), 0.0, 1.0, closed=True), "misses the beginning"),
@@ -279,6 +289,20 @@ def test_refused_in_one_line(make: Callable[[], Any], why: str) -> None:
 
 
 # ---- files -----------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("size", [1e-30, 1e30])
+def test_size_does_not_matter(size: float) -> None:
+    """Curvature and its rate of a tiny and of a huge ellipse: powers of the speed must not leave the doubles."""
+    one, other = Ellipse((0.0, 0.0), (2.0, 1.0)), Ellipse((0.0, 0.0), (2.0 * size, size))
+    s = np.linspace(0.0, one.length, 9)[:-1]
+    assert other.curvature(s * size) * size == pytest.approx(one.curvature(s), rel=1e-9)
+    assert other.curvature_rate(s * size) * size**2 == pytest.approx(one.curvature_rate(s), rel=1e-9, abs=1e-9)
+
+
+def test_a_direction_of_any_length() -> None:
+    for size in (1e-320, 1e-160, 1e30):
+        assert unit(np.array([3.0 * size, 3.0 * size]), "tangent") == pytest.approx([0.5**0.5, 0.5**0.5], rel=1e-15)
 
 
 def test_every_kind_from_toml(tmp_path: File) -> None:

@@ -20,7 +20,7 @@ from chainrule.description import planar_model
 from chainrule.plot.speed_ratio import draw_reachable, draw_speed_ratios
 from chainrule.report.context import Context
 from chainrule.report.parts.speed_ratio import SECTION
-from chainrule.speed_ratio import REASONS, STANDSTILL, Status, speed_ratios
+from chainrule.speed_ratio import BLOCK, REASONS, STANDSTILL, Status, speed_ratios
 
 MORPHOLOGIES = ["".join(kinds) for kinds in product("RP", repeat=3)]
 EXAMPLE_1 = np.radians([-14.0, -10.0, -205.0])
@@ -395,6 +395,44 @@ def test_the_leading_joint_changes_the_ratios_only(kinds):
         np.testing.assert_allclose(found.ratios[led], expected[led], rtol=1e-9)
 
 
+@pytest.mark.parametrize("kinds", MORPHOLOGIES)
+@pytest.mark.parametrize("scale", [2.0**-27, 2.0**-20, 2.0**-10, 2.0**20])
+def test_an_arm_of_any_size_has_the_same_solutions(kinds, scale):
+    """From 7 nm to 1000 km. What rounding leaves must not be taken for slides' rates, nor these for what it leaves."""
+    arm, q, tangent, wanted = random_arms(kinds, 300, seed=19)
+    other = moved(arm, lengths=[scale * size for size in arm.description.geometry.lengths])
+    units = np.where(mask(arm), 1.0, scale)  # of q; rates are these for each metre of path, and the path is scaled too
+    one = speed_ratios(arm, q, tangent, wanted)
+    for leading in (1, 2, 3):
+        found = speed_ratios(other, q * units, tangent, wanted / scale, leading=leading)
+        np.testing.assert_array_equal(found.status, one.status)
+        np.testing.assert_array_equal(found.count, one.count)
+        assert (found.leading == leading).all()
+        # which solution is nearer to J^+ T depends on the units, which two there are does not
+        rates, size = found.rates * scale / units, np.nanmax(np.abs(one.rates), axis=(1, 2))
+        gaps = [np.abs(rates - one.rates[:, order]).max(axis=(1, 2)) / size**2 for order in ([0, 1], [1, 0])]
+        alone = np.abs(rates[:, 0] - one.rates[:, 0]).max(axis=1) / size**2
+        clear = (size < 100.0) & (np.abs(np.linalg.svd(arm.jacobian(q))[1]).min(axis=1) > 0.05)
+        assert clear.sum() > 150
+        both = clear & (one.count == 2)
+        apart = np.abs(np.diff(one.rates, axis=1)).max(axis=(1, 2))
+        assert (np.minimum(*gaps) * np.minimum(apart, 1.0))[both].max(initial=0.0) < 1e-10
+        assert kinds == "PPP" or alone[clear & (found.status == Status.NEAREST)].max() < 1e-10
+        others = [k for k in range(3) if k != leading - 1]
+        quotients = found.rates[..., others] / found.rates[..., [leading - 1]]
+        np.testing.assert_allclose(found.ratios, quotients, rtol=1e-14)
+
+
+def test_every_size_of_threshold_is_one_of_rounding():
+    """The first of two solutions far apart is not lost in an arm of a few nanometres, and slides lead it."""
+    arm = cr.planar("RRP", [5e-8, 9e-9, 1.4e-8], [0.0, 0.0, -1.1])
+    found = speed_ratios(arm, [1.2, 2.0, -8e-9], [-4e-5, 1.5e-3], -2e7, leading=3)
+    assert found.status is Status.EXACT
+    assert (found.count, found.leading) == (2, 3)
+    _, curvature, _ = path(arm, found.q, found.rates)
+    np.testing.assert_allclose(curvature, -2e7, rtol=1e-12)
+
+
 # ---- degenerate cases ------------------------------------------------------------------------------------------------
 
 
@@ -459,9 +497,9 @@ def test_along_the_acceleration_of_self_motion_one_solution_is_at_infinity(kinds
 @pytest.mark.parametrize("kinds", [kinds for kinds in MORPHOLOGIES if kinds != "PPP"])
 def test_a_little_beside_it_both_solutions_are_there(kinds):
     arm, q, _, wanted = random_arms(kinds, 300, seed=10)
-    null = np.linalg.svd(np.asarray(arm.jacobian(q)))[2][:, 2]
-    _, second, _ = derivatives(arm, q, null)
-    clear = (np.abs(second) > 1e-3) & (np.asarray(arm.manipulability(q)) > 1e-2)
+    _, values, rows = np.linalg.svd(np.asarray(arm.jacobian(q)))
+    _, second, _ = derivatives(arm, q, rows[:, 2])
+    clear = (np.abs(second) > 1e-3) & (values.prod(axis=1) > 1e-2)
     tilted = second[clear] * np.exp(1e-8j)
     found = speed_ratios(arm, q[clear], np.stack([tilted.real, tilted.imag], axis=-1), wanted[clear])
     assert np.isin(found.status, (Status.EXACT, Status.NEAREST)).all()
@@ -636,6 +674,28 @@ def test_many_are_as_each_alone():
             np.testing.assert_array_equal(getattr(one, name), getattr(found, name)[i])
         assert one.reason == found.explain(*i)
     assert found.reason.startswith("60 configurations: ")
+
+
+@pytest.mark.parametrize("shape", [(10_000,), (3, 3333), (700, 3, 5), (1, 9000)])
+def test_blocks_leave_no_seam(shape):
+    """More configurations than are solved at once are as a few at a time, with broadcast arguments too."""
+    assert np.prod(shape) > BLOCK
+    arm, q, tangent, wanted = random_arms("RRP", int(np.prod(shape)), seed=20)
+    q[::7, 1], q[::7, 2] = 0.0, -arm.description.geometry.lengths[2]  # singular if the last slide is along the links
+    q, tangent, wanted = q.reshape(*shape, 3), tangent.reshape(*shape, 2), wanted.reshape(shape)
+    whole = speed_ratios(arm, q, tangent, wanted, 0.2)
+    one_way = speed_ratios(arm, q, tangent.reshape(-1, 2)[0], wanted.flat[0])
+    names = ("status", "count", "exact", "leading", "chosen", "rates", "ratios", "curvatures", "curvature_rates")
+    flat, step = q.reshape(-1, 3), 1000
+    for start in range(0, len(flat), step):
+        part = slice(start, start + step)
+        few = speed_ratios(arm, flat[part], tangent.reshape(-1, 2)[part], wanted.reshape(-1)[part], 0.2)
+        same_way = speed_ratios(arm, flat[part], tangent.reshape(-1, 2)[0], wanted.flat[0])
+        for name in (*names, "parabola", "pseudoinverse", "null"):
+            for big, small in ((whole, few), (one_way, same_way)):
+                got = getattr(big, name)
+                np.testing.assert_array_equal(got.reshape(-1, *got.shape[len(shape) :])[part], getattr(small, name))
+    assert set(np.unique(whole.count)) >= {1, 2}
 
 
 def test_arguments_broadcast():

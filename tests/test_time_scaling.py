@@ -153,6 +153,26 @@ def test_knots_that_repeat_or_turn_back() -> None:
         assert not speed.any() and not push.any()
 
 
+def test_knots_that_all_but_repeat() -> None:
+    """A knot a hair's breadth from its neighbour costs nothing, and knots far apart with tiny roundings stop."""
+    plain = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]])
+    for hair in (1e-300, 1e-16, 1e-12, 1e-6):
+        knots = np.array([[0.0, 0.0], [hair, 0.0], [1.0, 0.0], [1.0, hair], [1.0, 1.0], [1.0, 1.0 + hair]])
+        move = time_scaling(knots, 1.0, 2.0, method="toppra", deviation=0.01)
+        assert move.method == "toppra"
+        assert move.duration == pytest.approx(
+            time_scaling(plain, 1.0, 2.0, method="toppra", deviation=0.01).duration, rel=1e-3
+        )
+        assert max(worst(move, 1.0, 2.0)) <= 1.0 + 1e-9
+        q = move.sample(move.knot_times)[0]
+        assert np.abs(q - knots).max() <= 0.01 * (1 + 1e-9)
+        np.testing.assert_allclose(q[[0, -1]], knots[[0, -1]], rtol=0, atol=1e-14)
+    for far, deviation in ((1e200, 0.1), (1.0, 1e-15)):
+        assert time_scaling(far * plain, 1.0, 2.0, method="toppra", deviation=deviation).method == "stop"
+    crowd = [[0.0, 0.0], [1e-9, 0.0], [0.0, 1e-9]]  # all of them one cluster
+    assert time_scaling(crowd, 1.0, 2.0, method="toppra", deviation=0.01).sample([1.0])[0][0].tolist() == crowd[-1]
+
+
 @pytest.mark.parametrize("order", [2, 3])
 def test_higher_order_motion(order: int) -> None:
     """The joint motion of the speed ratios, as fast as the joints allow: one limit is used nearly everywhere."""
@@ -178,17 +198,22 @@ def test_refusals(monkeypatch: pytest.MonkeyPatch) -> None:
         (lambda: time_scaling(knots, 1.0, 1.0, method="best"), "'stop' and 'toppra' are accepted"),
         (lambda: time_scaling([0.0, 1.0], 1.0, 1.0), r"\(k \+ 1, n\)"),
         (lambda: time_scaling([[0.0, 1.0]], 1.0, 1.0), "two knots or more"),
-        (lambda: time_scaling([[0.0, 1.0], [np.nan, 1.0]], 1.0, 1.0), "knot 1: an entry is nan"),
-        (lambda: time_scaling("far", 1.0, 1.0), "'far' is not an array"),
+        (lambda: time_scaling([[0.0, 1.0], [np.nan, 1.0]], 1.0, 1.0), r"knots\[1, 0\]: nan"),
+        (lambda: time_scaling("far", 1.0, 1.0), "knots: 'far'; an array"),
         (lambda: time_scaling(knots, 0.0, 1.0), "velocity: 0.0 has an entry"),
         (lambda: time_scaling(knots, [1.0, 2.0, 3.0], 1.0), "velocity: .* does not fit"),
-        (lambda: time_scaling(knots, 1.0, np.inf), "acceleration: inf has an entry"),
+        (lambda: time_scaling(knots, 1.0, np.inf), "acceleration: inf; finite"),
         (lambda: time_scaling(knots, 1.0, 1.0, deviation=0.1), "'stop' runs the knots exactly"),
         (lambda: time_scaling(knots, 1.0, 1.0, method="toppra"), "rounds the corners"),
         (lambda: time_scaling(knots, 1.0, 1.0, method="toppra", deviation=-1), "deviation: -1 has an entry"),
         (lambda: time_scaling(polyline(knots), 1.0, 1.0, method="toppra"), "has corners"),
         (lambda: time_scaling(bent, 1.0, 1.0), "straight stretches"),
         (lambda: motion_path(batch, 1.0), "one is accepted"),
+        (lambda: motion_path(None, 1.0), "what motion_ratios gives"),  # type: ignore[arg-type]
+        (lambda: time_scaling(knots, "1", 1.0), "velocity: '1'; an array of real"),
+        (lambda: time_scaling(knots, np.nan, 1.0), "velocity: nan"),
+        (lambda: time_scaling(knots, 1.0, 1.0).sample(np.nan), "t: nan"),
+        (lambda: polyline(knots, [0.0, 1.0]), "weights: .* not positive"),
     ):
         with pytest.raises(InputError, match=words) as caught:
             call()

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import chainrule as cr
+from chainrule import regions
 from chainrule.description import Planar
 from chainrule.planar_chains import chain, from_tip, merged, reached
 from chainrule.regions import Arc, Region, Segment, Slide, Turn, point, sweep, trace
@@ -81,12 +82,16 @@ def tip_jacobian(arm, q):
 
 
 def nearest_to(arm, target, rng, starts=60):
-    """The least distance from a point that a projected Levenberg-Marquardt search from many postures finds."""
+    """The least distance from a point that a projected Levenberg-Marquardt search from many postures finds.
+
+    It ends when the point is reached, or when forty steps have brought nothing.
+    """
     low, high = box(arm).T
     q = rng.uniform(low, high, (starts, arm.n))
     damping = np.full(starts, 1e-2)
     z, jacobian = tip_jacobian(arm, q)
-    for _ in range(150):
+    best, waited = np.inf, 0
+    while waited < 40 and best > 1e-11:
         gradient = (jacobian.conj() * (z - target)[:, None]).real
         held = ((q <= low) & (gradient > 0)) | ((q >= high) & (gradient < 0))
         free = np.where(held, 0, jacobian)
@@ -98,10 +103,12 @@ def nearest_to(arm, target, rng, starts=60):
         q, z = np.where(better[:, None], trial, q), np.where(better, z_trial, z)
         jacobian = np.where(better[:, None], jacobian_trial, jacobian)
         damping = np.clip(np.where(better, damping * 0.3, damping * 4.0), 1e-12, 1e6)
-    return float(np.abs(z - target).min())
+        least = float(np.abs(z - target).min())
+        best, waited = (least, 0) if least < best - 1e-9 else (min(least, best), waited + 1)
+    return best
 
 
-def reached_by_grid(arm, z, steps=1000):
+def reached_by_grid(arm, z, steps=600):
     """Whether points are reached by a 3R arm: the first joint on a fine grid, the other two in closed form."""
     l1, l2, l3 = arm.description.geometry.lengths
     limits = box(arm)
@@ -231,6 +238,21 @@ def test_ranges_that_turn_freely(limits):
     assert workspace(arm).secondary == ((0.75, 1.25),)
 
 
+@pytest.mark.parametrize("limit", [1e3, 1e6, 1e9, 1e20])
+def test_very_wide_limits_turn_freely(limit):
+    arm = cr.planar_3r(1.0, 0.5, 0.25).with_limits(position=[(-limit, limit), (limit, 2 * limit), (-limit, limit)])
+    if limit < 1e10:  # from there on numbers are further apart than a turn is long
+        assert workspace(arm).secondary == ((0.75, 1.25),)
+    free = workspace(arm.with_limits(position=[(-limit, limit)] * 3))
+    assert (free.primary, free.secondary) == (((0.25, 1.75),), ((0.75, 1.25),))
+
+
+@pytest.mark.parametrize("length", [1e-200, 1e200])
+def test_arms_of_no_sensible_size_are_refused(length):
+    with pytest.raises(cr.InputError, match=r"add up to .* m; 1e-60 to 1e\+60 m are accepted"):
+        workspace(cr.planar_3r(length, length, length))
+
+
 def test_rings_about_another_point_than_the_base():
     found = limited("RRR", (1.0, 0.5, 0.25), [(0.0, 0.0), None, None])
     assert not found.symmetric and found.primary == ()
@@ -245,7 +267,7 @@ def test_rings_about_another_point_than_the_base():
 @pytest.mark.parametrize("make", [random_arm, tidy_arm])
 def test_samples_are_inside_and_boundary_postures_are_real(make):
     rng = np.random.default_rng(11)
-    for _ in range(150):
+    for _ in range(70):
         arm = make(rng, words(rng))
         found = workspace_region(arm)
         z, _ = tip(arm, samples(arm, rng, 400))
@@ -268,12 +290,12 @@ def test_membership_and_area_against_a_fine_grid(seed):
     found = workspace(arm)
     rng = np.random.default_rng(seed)
     size = sum(arm.description.geometry.lengths)
-    count = 4000
+    count = 2500
     z = rng.uniform(-size, size, count) + 1j * rng.uniform(-size, size, count)
     truth = reached_by_grid(arm, z)
     inside = found.contains(z.real, z.imag)
     assert not (truth & ~inside).any()
-    doubtful = found.region.distance(z) < 5e-3  # the grid's steps
+    doubtful = found.region.distance(z) < 8e-3  # the grid's steps
     assert (truth == inside)[~doubtful].all()
     share = found.area / (2 * size) ** 2
     statistical = 4 * math.sqrt(share * (1 - share) / count)
@@ -288,7 +310,7 @@ def test_distances_against_an_optimiser(seed):
     kinds = ["RRRR", "RPR", "PRR", "RRP", "RRRRR", "PR", "RRRP", "PRRR", "RRR", "RPRR"][seed]
     arm = random_arm(rng, kinds)
     region = workspace_region(arm)
-    z = rng.uniform(-1, 1, 14) * region.size + 1j * rng.uniform(-1, 1, 14) * region.size
+    z = rng.uniform(-1, 1, 8) * region.size + 1j * rng.uniform(-1, 1, 8) * region.size
     inside = region.contains(z)
     expected = np.where(inside, 0.0, region.distance(z))
     for place, distance in zip(z, expected, strict=True):
@@ -351,7 +373,7 @@ def test_mirror_scale_and_turn(seed):
 
 def test_wider_limits_reach_more():
     rng = np.random.default_rng(3)
-    for _ in range(20):
+    for _ in range(8):
         arm = random_arm(rng, "RRR")
         wide = arm.with_limits(position=arm.limits.position + np.array([-0.2, 0.3]))
         region, more = workspace_region(arm), workspace_region(wide)
@@ -376,7 +398,7 @@ def test_long_arms(n):
     rng = np.random.default_rng(n)
     arm = cr.planar("R" * n, np.linspace(1, 0.2, n)).with_limits(position=[(-0.7, 0.5)] * n)
     region = workspace_region(arm)
-    z, _ = tip(arm, samples(arm, rng, 20_000))
+    z, _ = tip(arm, samples(arm, rng, 4000))
     assert region.contains(z, 1e-9).all()
     deep = z[(region.distance(z) > 0.05)][:5]
     assert all(nearest_to(arm, place, rng) < 1e-9 for place in deep)
@@ -397,7 +419,7 @@ def test_a_region_that_closes_on_itself():
 
 def test_loops_are_closed_and_have_the_inside_on_their_left():
     rng = np.random.default_rng(5)
-    for make, _ in itertools.product((random_arm, tidy_arm), range(60)):
+    for make, _ in itertools.product((random_arm, tidy_arm), range(25)):
         region = workspace_region(make(rng, words(rng)))
         for loop in region.loops:
             for piece, following in zip(loop, loop[1:] + loop[:1], strict=True):
@@ -431,11 +453,22 @@ def test_membership_on_awkward_points():
     assert lens.area == pytest.approx(PI - 2, abs=1e-14)
 
 
-def test_memory_stays_bounded_and_answers_do_not_depend_on_the_batch():
+def test_memory_stays_bounded_and_answers_do_not_depend_on_the_batch(monkeypatch):
     region = workspace_region(limited_3r(1))
-    z = np.random.default_rng(0).normal(size=200_000) + 1j * np.random.default_rng(1).normal(size=200_000)
+    rng = np.random.default_rng(0)
+    z = rng.normal(size=5000) + 1j * rng.normal(size=5000)
     together = region.contains(z)
-    assert (together[:1000] == region.contains(z[:1000])).all()
+    sizes = []
+    nearest = regions.nearest
+
+    def watched(p, points):
+        sizes.append(len(p.start) * len(points))
+        return nearest(p, points)
+
+    monkeypatch.setattr(regions, "nearest", watched)
+    monkeypatch.setattr(regions, "CHUNK", 1000)
+    assert (together == region.contains(z)).all()
+    assert max(sizes) <= 1000 and sum(sizes) == len(z) * len(region.pieces)
     assert region.contains(z[:0]).shape == (0,)
 
 
@@ -493,7 +526,10 @@ def test_points_of_all_shapes():
     assert found.contains([math.nan, math.inf, 1.0], 0.0).tolist() == [False, False, True]
     assert found.contains(1.0, 0.0, every_orientation=True) is True
     assert found.contains([0.5, 1.0, 1.5], 0.0, every_orientation=True).tolist() == [False, True, False]
-    for x, y in (("a", 0.0), ([1.0, 2.0], [1.0, 2.0, 3.0])):
+    far = found.contains([1e300, -1e308, 1e160], [-1e300, 1e308, 0.0])
+    assert not far.any() and found.orientations(1e300, -1e308) == ()
+    assert found.contains([], []).shape == found.contains([], 1.0, every_orientation=True).shape == (0,)
+    for x, y in (("a", 0.0), ("1", 0.0), (None, 0.0), (1j, 0.0), (True, 0.0), ([[1], [1, 2]], 0.0), ([1, 2], [1, 2, 3])):
         with pytest.raises(cr.InputError, match="broadcast"):
             found.contains(x, y)
     for bad in (math.nan, math.inf, "1", None):
@@ -530,7 +566,7 @@ def test_one_joint_and_none_that_moves():
 def test_arms_that_are_nearly_degenerate():
     """Lengths and limits that almost coincide: thin slivers, nearly concentric arcs, edges a hair apart."""
     rng = np.random.default_rng(13)
-    for _ in range(150):
+    for _ in range(60):
         arm = tidy_arm(rng, words(rng))
         error = 10.0 ** rng.uniform(-15, -4)
         geometry = arm.description.geometry

@@ -1,6 +1,6 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs df049e074bcd02dce6a06cbe1225be143cb57a2068819aec7771ed4fe6dfd91c.
- * 587 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5429d5cc64a4c26c3bf1ea18965f0a9619cd29480bad4d27464625ebefecf9eb.
+ * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "df049e074bcd02dce6a06cbe1225be143cb57a2068819aec7771ed4fe6dfd91c";
+const char planar_ppp_speed_ratio_digest[] = "5429d5cc64a4c26c3bf1ea18965f0a9619cd29480bad4d27464625ebefecf9eb";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs df049e074bcd02dce6a06cbe1225be143cb57a2068819aec7771ed4fe6dfd91c.
-587 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 5429d5cc64a4c26c3bf1ea18965f0a9619cd29480bad4d27464625ebefecf9eb.
+583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 116 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 105 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -46,12 +46,6 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     cos_heading3 = np.cos(heading3)
     sin_heading3 = np.sin(heading3)
     kappa = curvature[..., 0]
-    l1 = parameters[..., 0]
-    q1 = q[..., 0]
-    l2 = parameters[..., 1]
-    q2 = q[..., 1]
-    l3 = parameters[..., 2]
-    q3 = q[..., 2]
 
     # terms
     t1 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
@@ -73,19 +67,14 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t17 = t3 * t14 + t9 * t16
     t18 = t6 * t14 + t11 * t16
     t19 = t8 * t8 + t15 * t15
-    t20 = l1 + q1
-    t21 = l2 + q2
-    t22 = l3 + q3
-    t23 = np.sqrt((3.0 + t20 * t20 + t21 * t21 + t22 * t22))
-    t24 = 1.4210854715202004e-14 * t23
-    t25 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign(t7, 1.0))
-    t26 = 1.0 - t25
-    t27 = t9 * t26 + t11 * t25
-    t28 = t3 * t26 + t6 * t25
-    t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
-    t30 = t29 / (1.0 - t29 - t28 * t29)
-    t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t3 * t25 + t6 * t26))
-    t32 = t15 + t27 * (t8 * t30)
+    t20 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
+    t21 = 1.0 - t20
+    t22 = t9 * t21 + t11 * t20
+    t23 = t3 * t21 + t6 * t20
+    t24 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t23), 1.0))
+    t25 = t24 / (1.0 - t24 - t23 * t24)
+    t26 = t9 * t20 + t11 * t21 + t22 * (t25 * (t3 * t20 + t6 * t21))
+    t27 = t15 + t22 * (t8 * t25)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -118,9 +107,9 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t17
     B1[..., 4] = t18
     B1[..., 5] = t19
-    a[..., 0] = t31 * t31
-    a[..., 1] = (t31 + t31) * t32
-    a[..., 2] = t32 * t32
+    a[..., 0] = t26 * t26
+    a[..., 1] = (t26 + t26) * t27
+    a[..., 2] = t27 * t27
     b[..., 0] = 0.0
     b[..., 1] = 0.0
     b[..., 2] = 0.0
@@ -131,7 +120,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 116 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 105 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -167,12 +156,6 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     cos_heading2 = np.cos(heading2)
     sin_heading3 = np.sin(heading3)
     kappa = curvature[..., 0]
-    l1 = parameters[..., 0]
-    q1 = q[..., 0]
-    l2 = parameters[..., 1]
-    q2 = q[..., 1]
-    l3 = parameters[..., 2]
-    q3 = q[..., 2]
 
     # terms
     t1 = sin_heading1 * tx - cos_heading1 * ty
@@ -194,19 +177,14 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t17 = t8 * t13 + t14 * t16
     t18 = t6 * (t8 + t8) + t11 * (t16 + t16)
     t19 = t8 * t8 + t16 * t16
-    t20 = l1 + q1
-    t21 = l2 + q2
-    t22 = l3 + q3
-    t23 = np.sqrt((3.0 + t20 * t20 + t21 * t21 + t22 * t22))
-    t24 = 1.4210854715202004e-14 * t23
-    t25 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign(t7, 1.0))
-    t26 = 1.0 - t25
-    t27 = t9 * t26 + t11 * t25
-    t28 = t1 * t26 + t6 * t25
-    t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
-    t30 = t29 / (1.0 - t29 - t28 * t29)
-    t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t1 * t25 + t6 * t26))
-    t32 = t16 + t27 * (t8 * t30)
+    t20 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
+    t21 = 1.0 - t20
+    t22 = t9 * t21 + t11 * t20
+    t23 = t1 * t21 + t6 * t20
+    t24 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t23), 1.0))
+    t25 = t24 / (1.0 - t24 - t23 * t24)
+    t26 = t9 * t20 + t11 * t21 + t22 * (t25 * (t1 * t20 + t6 * t21))
+    t27 = t16 + t22 * (t8 * t25)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -239,9 +217,9 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t17
     B1[..., 4] = t18
     B1[..., 5] = t19
-    a[..., 0] = t31 * t31
-    a[..., 1] = (t31 + t31) * t32
-    a[..., 2] = t32 * t32
+    a[..., 0] = t26 * t26
+    a[..., 1] = (t26 + t26) * t27
+    a[..., 2] = t27 * t27
     b[..., 0] = 0.0
     b[..., 1] = 0.0
     b[..., 2] = 0.0
@@ -252,7 +230,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 116 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 105 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -288,12 +266,6 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     cos_heading3 = np.cos(heading3)
     sin_heading3 = np.sin(heading3)
     kappa = curvature[..., 0]
-    l1 = parameters[..., 0]
-    q1 = q[..., 0]
-    l2 = parameters[..., 1]
-    q2 = q[..., 1]
-    l3 = parameters[..., 2]
-    q3 = q[..., 2]
 
     # terms
     t1 = sin_heading1 * tx - cos_heading1 * ty
@@ -315,19 +287,14 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t17 = t8 * t13 + t14 * t16
     t18 = t8 * (t4 + t4) + t16 * (t11 + t11)
     t19 = t8 * t8 + t16 * t16
-    t20 = l1 + q1
-    t21 = l2 + q2
-    t22 = l3 + q3
-    t23 = np.sqrt((3.0 + t20 * t20 + t21 * t21 + t22 * t22))
-    t24 = 1.4210854715202004e-14 * t23
-    t25 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign(t5, 1.0))
-    t26 = 1.0 - t25
-    t27 = t9 * t26 + t11 * t25
-    t28 = t1 * t26 + t4 * t25
-    t29 = 0.5 - 0.5 * np.copysign(1.0, t24 - np.copysign((-t28), 1.0))
-    t30 = t29 / (1.0 - t29 - t28 * t29)
-    t31 = t9 * t25 + t11 * t26 + t27 * (t30 * (t1 * t25 + t4 * t26))
-    t32 = t16 + t27 * (t8 * t30)
+    t20 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t5, 1.0))
+    t21 = 1.0 - t20
+    t22 = t9 * t21 + t11 * t20
+    t23 = t1 * t21 + t4 * t20
+    t24 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t23), 1.0))
+    t25 = t24 / (1.0 - t24 - t23 * t24)
+    t26 = t9 * t20 + t11 * t21 + t22 * (t25 * (t1 * t20 + t4 * t21))
+    t27 = t16 + t22 * (t8 * t25)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -360,9 +327,9 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     B1[..., 3] = t17
     B1[..., 4] = t18
     B1[..., 5] = t19
-    a[..., 0] = t31 * t31
-    a[..., 1] = (t31 + t31) * t32
-    a[..., 2] = t32 * t32
+    a[..., 0] = t26 * t26
+    a[..., 1] = (t26 + t26) * t27
+    a[..., 2] = t27 * t27
     b[..., 0] = 0.0
     b[..., 1] = 0.0
     b[..., 2] = 0.0
@@ -373,7 +340,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 239 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 268 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -399,94 +366,105 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     _real = np.result_type(q, parameters, tangent, curvature, leading, np.float32)
 
     # inputs, sines and cosines
-    heading1 = parameters[..., 3]
-    sin_heading1 = np.sin(heading1)
-    tx = tangent[..., 0]
-    ty = tangent[..., 1]
-    cos_heading1 = np.cos(heading1)
-    heading2 = parameters[..., 4]
-    sin_heading2 = np.sin(heading2)
-    cos_heading2 = np.cos(heading2)
-    heading3 = parameters[..., 5]
-    cos_heading3 = np.cos(heading3)
-    sin_heading3 = np.sin(heading3)
     l1 = parameters[..., 0]
     q1 = q[..., 0]
     l2 = parameters[..., 1]
     q2 = q[..., 1]
     l3 = parameters[..., 2]
     q3 = q[..., 2]
+    heading3 = parameters[..., 5]
+    cos_heading3 = np.cos(heading3)
+    heading1 = parameters[..., 3]
+    cos_heading1 = np.cos(heading1)
+    heading2 = parameters[..., 4]
+    sin_heading2 = np.sin(heading2)
+    cos_heading2 = np.cos(heading2)
+    sin_heading1 = np.sin(heading1)
+    sin_heading3 = np.sin(heading3)
+    tx = tangent[..., 0]
+    ty = tangent[..., 1]
     kappa = curvature[..., 0]
     leads1 = leading[..., 0]
     leads2 = leading[..., 1]
     leads3 = leading[..., 2]
 
     # terms
-    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
-    t2 = tx / t1
-    t3 = ty / t1
-    t4 = np.sqrt((t2 * t2 + t3 * t3))
-    t5 = t2 / t4
-    t6 = t3 / t4
-    t7 = sin_heading1 * t5 - cos_heading1 * t6
-    t8 = cos_heading1 * sin_heading2 + sin_heading1 * cos_heading2
-    t9 = cos_heading1 * cos_heading2 - sin_heading1 * sin_heading2
-    t10 = t5 * t8 - t6 * t9
-    t11 = t8 * cos_heading3 + t9 * sin_heading3
-    t12 = t9 * cos_heading3 - t8 * sin_heading3
-    t13 = t5 * t11 - t6 * t12
-    t14 = t5 * cos_heading1 + sin_heading1 * t6
-    t15 = t7 * t7 + t10 * t10 + t13 * t13 + t14 * t14
-    t16 = t5 * t9 + t6 * t8
-    t17 = t5 * t12 + t6 * t11
-    t18 = np.sqrt((t15 + t16 * t16 + t17 * t17))
-    t19 = l1 + q1
-    t20 = l2 + q2
-    t21 = l3 + q3
-    t22 = 3.0 + t19 * t19 + t20 * t20 + t21 * t21
-    t23 = t13 * t16 - t10 * t17
-    t24 = t7 * t17 - t13 * t14
-    t25 = t10 * t14 - t7 * t16
-    t26 = np.sqrt((t23 * t23 + t24 * t24 + t25 * t25))
-    t27 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t18 * np.sqrt(t22) - np.copysign(t26, 1.0))
-    t28 = 0.5 - t27
-    t29 = t28 / (1.0 - t28 + t26 * t28)
-    t30 = t25 * t29
-    t31 = t24 * t29
-    t32 = t29 * (t10 * t30 - t13 * t31)
-    t33 = t23 * t29
-    t34 = t29 * (t13 * t33 - t7 * t30)
-    t35 = t29 * (t7 * t31 - t10 * t33)
-    t36 = t32 * t32 + t34 * t34 + t35 * t35
-    t37 = np.sqrt(t36)
-    t38 = t22 * (t18 * (1.4210854715202004e-14 * t29))
-    t39 = 0.5 - 0.5 * np.copysign(1.0, (t37 + t37) * t38)
-    t40 = 0.5 - 0.5 * np.copysign(1.0, t38)
-    t41 = 1.0 - t40
-    t42 = t39 * t41
-    t43 = np.copysign((-kappa), 1.0)
-    t44 = t40 * (0.5 - 0.5 * np.copysign(1.0, 4.0 * t38 * t43))
-    t45 = 1.0 - t44
-    t46 = kappa * t42 / (1.0 - t42) * t45 - kappa * t44 / t45
-    t47 = t28 * (t32 + t33 * t46)
-    t48 = t28 * (t34 + t31 * t46)
-    t49 = t28 * (t35 + t30 * t46)
-    t50 = t28 * t44
-    t51 = t32 * t50
-    t52 = t34 * t50
-    t53 = t35 * t50
-    t54 = t47 * leads1 + t48 * leads2 + t49 * leads3
-    t55 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t47, 1.0), np.copysign(t48, 1.0)), np.copysign(t49, 1.0)) - np.copysign(t54, 1.0)
-    t56 = 0.5 - 0.5 * np.copysign(1.0, t55)
-    t57 = 1.0 - t56
-    t58 = t56 / (t57 + t54 * t56)
-    t59 = t51 * leads1 + t52 * leads2 + t53 * leads3
-    t60 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t51, 1.0), np.copysign(t52, 1.0)), np.copysign(t53, 1.0)) - np.copysign(t59, 1.0)
-    t61 = 0.5 - 0.5 * np.copysign(1.0, t60)
-    t62 = 1.0 - t61
-    t63 = t61 / (t62 + t59 * t61)
-    t64 = 4.0 + t28 * (t40 * t44 + t41 * (2.0 + t39)) - 4.0 * t28
-    t65 = t41 * (1.0 - t39) * (0.5 + 0.5 * np.copysign(1.0, t36 * t38 - t43))
+    t1 = l1 + q1
+    t2 = l2 + q2
+    t3 = l3 + q3
+    t4 = np.sqrt((t1 * t1 + t2 * t2 + t3 * t3))
+    t5 = t4 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t4, 1.0)))
+    t6 = 2.4613922385709617e-14 * t5
+    t7 = t5 + t5
+    t8 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
+    t9 = cos_heading1 * cos_heading2 - sin_heading2 * sin_heading1
+    t10 = cos_heading3 * t8 + t9 * sin_heading3
+    t11 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t12 = tx / t11
+    t13 = ty / t11
+    t14 = np.sqrt((t12 * t12 + t13 * t13))
+    t15 = t12 / t14
+    t16 = cos_heading3 * t9 - t8 * sin_heading3
+    t17 = t13 / t14
+    t18 = t10 * t15 - t16 * t17
+    t19 = t9 * t15 + t8 * t17
+    t20 = t8 * t15 - t9 * t17
+    t21 = t15 * t16 + t10 * t17
+    t22 = t18 * t19 - t20 * t21
+    t23 = t22 * t22
+    t24 = t5 * t5
+    t25 = sin_heading1 * t15 - cos_heading1 * t17
+    t26 = cos_heading1 * t15 + sin_heading1 * t17
+    t27 = t21 * t25 - t18 * t26
+    t28 = t27 * t27
+    t29 = t20 * t26 - t19 * t25
+    t30 = t29 * t29
+    t31 = np.sqrt((t23 / t24 + t28 / t24 + t30 / t24))
+    t32 = t5 * t24
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t6 * t7 - np.copysign((t31 * t32), 1.0))
+    t34 = 1.0 - t33
+    t35 = t33 / (t34 + t33 * np.sqrt((t30 + (t23 + t28))))
+    t36 = t29 * t35
+    t37 = t27 * t35
+    t38 = t35 * (t20 * t36 - t18 * t37)
+    t39 = t22 * t35
+    t40 = t35 * (t18 * t39 - t25 * t36)
+    t41 = t35 * (t25 * t37 - t20 * t39)
+    t42 = t38 * t38 / t24 + t40 * t40 / t24 + t41 * t41 / t24
+    t43 = np.sqrt(t42)
+    t44 = t31 * t35
+    t45 = t6 * t33 / t32 * (t7 * t7) / (t34 + t31 * t33)
+    t46 = 0.5 - 0.5 * np.copysign(1.0, (t43 + t43) * t44 * t45)
+    t47 = t45 * (t44 * t44)
+    t48 = 0.5 - 0.5 * np.copysign(1.0, t47)
+    t49 = 1.0 - t48
+    t50 = t46 * t49
+    t51 = np.copysign((-kappa), 1.0)
+    t52 = t48 * (0.5 - 0.5 * np.copysign(1.0, 4.0 * t47 * t51))
+    t53 = 1.0 - t52
+    t54 = kappa * t50 / (1.0 - t50) * t53 - kappa * t52 / t53
+    t55 = t33 * (t38 + t39 * t54)
+    t56 = t33 * (t40 + t37 * t54)
+    t57 = t33 * (t41 + t36 * t54)
+    t58 = t33 * t52
+    t59 = t38 * t58
+    t60 = t40 * t58
+    t61 = t41 * t58
+    t62 = np.maximum(np.maximum(np.copysign((t55 / t5), 1.0), np.copysign((t56 / t5), 1.0)), np.copysign((t57 / t5), 1.0))
+    t63 = t5 * leads1 + t5 * leads2 + t5 * leads3
+    t64 = t55 * leads1 + t56 * leads2 + t57 * leads3
+    t65 = 0.5 - 0.5 * np.copysign(1.0, 9.094947017729282e-13 * t62 * t63 - np.copysign(t64, 1.0))
+    t66 = 1.0 - t65
+    t67 = t65 / (t66 + t64 * t65)
+    t68 = 1.0 - leads1
+    t69 = 1.0 - leads3
+    t70 = np.maximum(np.maximum(np.copysign((t59 / t5), 1.0), np.copysign((t60 / t5), 1.0)), np.copysign((t61 / t5), 1.0))
+    t71 = t59 * leads1 + t60 * leads2 + t61 * leads3
+    t72 = 0.5 - 0.5 * np.copysign(1.0, t63 * (9.094947017729282e-13 * t70) - np.copysign(t71, 1.0))
+    t73 = 1.0 - t72
+    t74 = t72 / (t73 + t71 * t72)
+    t75 = 4.0 + t33 * (t48 * t52 + t49 * (2.0 + t46)) - 4.0 * t33
+    t76 = t49 * (1.0 - t46) * (0.5 + 0.5 * np.copysign(1.0, t42 * t45 - t51))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -498,33 +476,33 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*_leading, 1), _real)
     least = np.empty((*_leading, 3), _real)
     null = np.empty((*_leading, 3), _real)
-    rates[..., 0] = t47
-    rates[..., 1] = t48
-    rates[..., 2] = t49
-    rates[..., 3] = t51
-    rates[..., 4] = t52
-    rates[..., 5] = t53
-    ratios[..., 0] = t58 * (t47 + leads1 * (t48 - t47))
-    ratios[..., 1] = t58 * (t49 + leads3 * (t48 - t49))
-    ratios[..., 2] = t63 * (t51 + leads1 * (t52 - t51))
-    ratios[..., 3] = t63 * (t53 + leads3 * (t52 - t53))
+    rates[..., 0] = t55
+    rates[..., 1] = t56
+    rates[..., 2] = t57
+    rates[..., 3] = t59
+    rates[..., 4] = t60
+    rates[..., 5] = t61
+    ratios[..., 0] = t67 * (t56 * leads1 + t55 * t68)
+    ratios[..., 1] = t67 * (t56 * leads3 + t57 * t69)
+    ratios[..., 2] = t74 * (t60 * leads1 + t59 * t68)
+    ratios[..., 3] = t74 * (t60 * leads3 + t61 * t69)
     tracked[..., 0] = 0.0
     tracked[..., 1] = 0.0
     tracked_rate[..., 0] = 0.0
     tracked_rate[..., 1] = 0.0
-    verdict[..., 0] = t64
-    verdict[..., 1] = t28 * (1.0 + t44)
+    verdict[..., 0] = t75
+    verdict[..., 1] = t33 * (1.0 + t52)
     verdict[..., 2] = 0.0
-    verdict[..., 3] = t28 * (t42 + t40 * t45 + t65)
-    verdict[..., 4] = t50 * t62 + t28 * t57
+    verdict[..., 3] = t33 * (t50 + t48 * t53 + t76)
+    verdict[..., 4] = t58 * t73 + t33 * t66
     parabola[..., 0] = 0.0
     parabola[..., 1] = 0.0
     parabola[..., 2] = 0.0
     slack[..., 0] = 0.0
-    least[..., 0] = t32
-    least[..., 1] = t34
-    least[..., 2] = t35
-    null[..., 0] = t33
-    null[..., 1] = t31
-    null[..., 2] = t30
+    least[..., 0] = t38
+    least[..., 1] = t40
+    least[..., 2] = t41
+    null[..., 0] = t39
+    null[..., 1] = t37
+    null[..., 2] = t36
     return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

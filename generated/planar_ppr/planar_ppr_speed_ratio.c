@@ -1,6 +1,6 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs a08dc414f36d9222eab60f32f0bb2b11193752e23147baa2c567396cd00b468b.
- * 758 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs d5a8936c415265e763f3e70a9d3fd0f86295b2b3725e0b92cf83dbc60c5af53a.
+ * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "a08dc414f36d9222eab60f32f0bb2b11193752e23147baa2c567396cd00b468b";
+const char planar_ppr_speed_ratio_digest[] = "d5a8936c415265e763f3e70a9d3fd0f86295b2b3725e0b92cf83dbc60c5af53a";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs a08dc414f36d9222eab60f32f0bb2b11193752e23147baa2c567396cd00b468b.
- * 758 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs d5a8936c415265e763f3e70a9d3fd0f86295b2b3725e0b92cf83dbc60c5af53a.
+ * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -35,7 +35,7 @@ extern const char planar_ppr_speed_ratio_digest[];
  *   out  C (one number)
  *   out  D (one number)
  *   out  discriminant (one number)
- *   146 operations */
+ *   149 operations */
 void planar_ppr_speed_ratio_terms_1(const double *q, const double *parameters, const double *tangent, const double *curvature, double *A, double *B, double *B0, double *B1, double *a, double *b, double *C, double *D, double *discriminant);
 void planar_ppr_speed_ratio_terms_1_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppr_speed_ratio_terms_1f(const float *q, const float *parameters, const float *tangent, const float *curvature, float *A, float *B, float *B0, float *B1, float *a, float *b, float *C, float *D, float *discriminant);
@@ -55,7 +55,7 @@ void planar_ppr_speed_ratio_terms_1_batchf(ptrdiff_t count, char *const *args, c
  *   out  C (one number)
  *   out  D (one number)
  *   out  discriminant (one number)
- *   146 operations */
+ *   149 operations */
 void planar_ppr_speed_ratio_terms_2(const double *q, const double *parameters, const double *tangent, const double *curvature, double *A, double *B, double *B0, double *B1, double *a, double *b, double *C, double *D, double *discriminant);
 void planar_ppr_speed_ratio_terms_2_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppr_speed_ratio_terms_2f(const float *q, const float *parameters, const float *tangent, const float *curvature, float *A, float *B, float *B0, float *B1, float *a, float *b, float *C, float *D, float *discriminant);
@@ -75,7 +75,7 @@ void planar_ppr_speed_ratio_terms_2_batchf(ptrdiff_t count, char *const *args, c
  *   out  C (one number)
  *   out  D (one number)
  *   out  discriminant (one number)
- *   125 operations */
+ *   115 operations */
 void planar_ppr_speed_ratio_terms_3(const double *q, const double *parameters, const double *tangent, const double *curvature, double *A, double *B, double *B0, double *B1, double *a, double *b, double *C, double *D, double *discriminant);
 void planar_ppr_speed_ratio_terms_3_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppr_speed_ratio_terms_3f(const float *q, const float *parameters, const float *tangent, const float *curvature, float *A, float *B, float *B0, float *B1, float *a, float *b, float *C, float *D, float *discriminant);
@@ -96,7 +96,7 @@ void planar_ppr_speed_ratio_terms_3_batchf(ptrdiff_t count, char *const *args, c
  *   out  slack (one number)
  *   out  least[3]
  *   out  null[3]
- *   341 operations */
+ *   370 operations */
 void planar_ppr_speed_ratio_rates(const double *q, const double *parameters, const double *tangent, const double *curvature, const double *leading, double *rates, double *ratios, double *tracked, double *tracked_rate, double *verdict, double *parabola, double *slack, double *least, double *null);
 void planar_ppr_speed_ratio_rates_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppr_speed_ratio_ratesf(const float *q, const float *parameters, const float *tangent, const float *curvature, const float *leading, float *rates, float *ratios, float *tracked, float *tracked_rate, float *verdict, float *parabola, float *slack, float *least, float *null);

@@ -1,6 +1,6 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs d3a9ecff5fea69defe89768dd13ae7dcfaa2e6efa17fd2ca4a0fb1dd59d0fd93.
- * 880 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 87eeb431fbb8446d9e19b787214611bcc79b728d3538ee5ad39db41ab6728b6a.
+ * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "d3a9ecff5fea69defe89768dd13ae7dcfaa2e6efa17fd2ca4a0fb1dd59d0fd93";
+const char planar_prp_speed_ratio_digest[] = "87eeb431fbb8446d9e19b787214611bcc79b728d3538ee5ad39db41ab6728b6a";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d3a9ecff5fea69defe89768dd13ae7dcfaa2e6efa17fd2ca4a0fb1dd59d0fd93.
-880 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 87eeb431fbb8446d9e19b787214611bcc79b728d3538ee5ad39db41ab6728b6a.
+906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 164 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 166 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -80,23 +80,23 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t25 = t11 * t22 + t16 * t24
     t26 = t12 * t22 + t18 * t24
     t27 = t14 * t14 + t23 * t23
-    t28 = np.sqrt((2.0 + t1 * t1 + t6 * t6 + l2 * l2))
-    t29 = 1.4210854715202004e-14 * t28
-    t30 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign(t13, 1.0))
-    t31 = 1.0 - t30
-    t32 = t16 * t31 + t18 * t30
-    t33 = t11 * t31 + t12 * t30
-    t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
-    t35 = t34 / (1.0 - t34 - t33 * t34)
-    t36 = t35 * (t11 * t30 + t12 * t31)
-    t37 = t16 * t30 + t18 * t31 + t32 * t36
+    t28 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t13, 1.0))
+    t29 = 1.0 - t28
+    t30 = t16 * t29 + t18 * t28
+    t31 = 1.4210854715202004e-14 * np.sqrt((t1 * t1 + t6 * t6 + l2 * l2))
+    t32 = t11 * t29 + t12 * t28
+    t33 = np.copysign(1.0, 1.4210854715202004e-14 * t28 + t29 * t31 - np.copysign((-t32), 1.0))
+    t34 = 0.5 - 0.5 * t33
+    t35 = t34 / (1.0 - t34 - t32 * t34)
+    t36 = t35 * (t11 * t28 + t12 * t29)
+    t37 = t16 * t28 + t18 * t29 + t30 * t36
     t38 = t37 * t37
     t39 = t14 * t35
-    t40 = t23 + t32 * t39
+    t40 = t23 + t30 * t39
     t41 = (t37 + t37) * t40
     t42 = t40 * t40
-    t43 = t15 * t31
-    t44 = t15 * t30 + t43 * (t36 * t36) + t20 * t36
+    t43 = t15 * t29
+    t44 = t15 * t28 + t43 * (t36 * t36) + t20 * t36
     t45 = t36 * (t39 * (t43 + t43)) + t20 * t39
     t46 = t43 * (t39 * t39)
     t47 = t45 * (t41 + t41) - t46 * (4.0 * t38) - t44 * (4.0 * t42)
@@ -146,7 +146,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 150 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 142 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -216,25 +216,23 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t25 = t6 * (t14 + t14) + t17 * (t22 + t22)
     t26 = t6 * t10 + l2 * (tx * t2 - ty * t3)
     t27 = t14 * t14 + t22 * t22
-    t28 = np.sqrt((2.0 + t8 * t8 + t10 * t10 + l2 * l2))
-    t29 = 1.4210854715202004e-14 * t28
-    t30 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign(t7, 1.0))
-    t31 = 1.0 - t30
-    t32 = t15 * t31 + t17 * t30
-    t33 = t1 * t31 + t6 * t30
-    t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
-    t35 = t34 / (1.0 - t34 - t33 * t34)
-    t36 = t35 * (t1 * t30 + t6 * t31)
-    t37 = t15 * t30 + t17 * t31 + t32 * t36
-    t38 = t37 * t37
-    t39 = t14 * t35
-    t40 = t22 + t32 * t39
-    t41 = (t37 + t37) * t40
-    t42 = t24 * t30
-    t43 = t24 * t31 + t36 * t42
-    t44 = t26 + t39 * t42
-    t45 = t43 * (t41 + t41) - t44 * (4.0 * t38)
-    t46 = t43 * t43
+    t28 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
+    t29 = 1.0 - t28
+    t30 = t15 * t29 + t17 * t28
+    t31 = t1 * t29 + t6 * t28
+    t32 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t31), 1.0))
+    t33 = t32 / (1.0 - t32 - t31 * t32)
+    t34 = t33 * (t1 * t28 + t6 * t29)
+    t35 = t15 * t28 + t17 * t29 + t30 * t34
+    t36 = t35 * t35
+    t37 = t14 * t33
+    t38 = t22 + t30 * t37
+    t39 = (t35 + t35) * t38
+    t40 = t24 * t28
+    t41 = t24 * t29 + t34 * t40
+    t42 = t26 + t37 * t40
+    t43 = t41 * (t39 + t39) - t42 * (4.0 * t36)
+    t44 = t41 * t41
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -267,20 +265,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t23
     B1[..., 4] = t25
     B1[..., 5] = t27
-    a[..., 0] = t38
-    a[..., 1] = t41
-    a[..., 2] = t40 * t40
+    a[..., 0] = t36
+    a[..., 1] = t39
+    a[..., 2] = t38 * t38
     b[..., 0] = 0.0
-    b[..., 1] = t43
-    b[..., 2] = t44
-    C[..., 0] = t45
-    D[..., 0] = t46
-    discriminant[..., 0] = t46 + kappa * t45
+    b[..., 1] = t41
+    b[..., 2] = t42
+    C[..., 0] = t43
+    D[..., 0] = t44
+    discriminant[..., 0] = t44 + kappa * t43
     return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 167 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 170 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -350,25 +348,25 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t25 = -2.0 * t23
     t26 = t14 * (t12 + t12) + t23 * (t18 + t18)
     t27 = t14 * t14 + t23 * t23
-    t28 = np.sqrt((2.0 + t2 * t2 + t7 * t7 + l2 * l2))
-    t29 = 1.4210854715202004e-14 * t28
-    t30 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign(t13, 1.0))
-    t31 = 1.0 - t30
-    t32 = t15 * t31 + t18 * t30
-    t33 = t1 * t31 + t12 * t30
-    t34 = 0.5 - 0.5 * np.copysign(1.0, t29 - np.copysign((-t33), 1.0))
-    t35 = t34 / (1.0 - t34 - t33 * t34)
-    t36 = t35 * (t1 * t30 + t12 * t31)
-    t37 = t15 * t30 + t18 * t31 + t32 * t36
+    t28 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + t7 * t7 + l2 * l2))
+    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t13, 1.0))
+    t30 = 1.0 - t29
+    t31 = t15 * t30 + t18 * t29
+    t32 = t1 * t30 + t12 * t29
+    t33 = 1.4210854715202004e-14 + t28 * t29 - 1.4210854715202004e-14 * t29 - np.copysign((-t32), 1.0)
+    t34 = 0.5 - 0.5 * np.copysign(1.0, t33)
+    t35 = t34 / (1.0 - t34 - t32 * t34)
+    t36 = t35 * (t1 * t29 + t12 * t30)
+    t37 = t15 * t29 + t18 * t30 + t31 * t36
     t38 = t37 * t37
     t39 = t14 * t35
-    t40 = t23 + t32 * t39
+    t40 = t23 + t31 * t39
     t41 = (t37 + t37) * t40
     t42 = t40 * t40
-    t43 = t17 * t30
-    t44 = t17 * t31 + t43 * (t36 * t36)
-    t45 = t25 * t30
-    t46 = t25 * t31 + t36 * (t39 * (t43 + t43)) + t36 * t45
+    t43 = t17 * t29
+    t44 = t17 * t30 + t43 * (t36 * t36)
+    t45 = t25 * t29
+    t46 = t25 * t30 + t36 * (t39 * (t43 + t43)) + t36 * t45
     t47 = t43 * (t39 * t39) + t39 * t45
     t48 = t46 * (t41 + t41) - t47 * (4.0 * t38) - t44 * (4.0 * t42)
     t49 = t46 * t46 - t47 * (4.0 * t44)
@@ -417,7 +415,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 399 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 428 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -444,14 +442,12 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
 
     # inputs, sines and cosines
     heading1 = parameters[..., 3]
-    sin_heading1 = np.sin(heading1)
-    tx = tangent[..., 0]
-    ty = tangent[..., 1]
     cos_heading1 = np.cos(heading1)
     l1 = parameters[..., 0]
     q1 = q[..., 0]
     q2 = q[..., 1]
     c2 = np.cos(q2)
+    sin_heading1 = np.sin(heading1)
     s2 = np.sin(q2)
     l2 = parameters[..., 1]
     heading3 = parameters[..., 4]
@@ -459,119 +455,131 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     sin_heading3 = np.sin(heading3)
     l3 = parameters[..., 2]
     q3 = q[..., 2]
+    tx = tangent[..., 0]
+    ty = tangent[..., 1]
     kappa = curvature[..., 0]
-    leads1 = leading[..., 0]
     leads2 = leading[..., 1]
+    leads1 = leading[..., 0]
     leads3 = leading[..., 2]
     kappa_s = curvature[..., 1]
 
     # terms
-    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
-    t2 = tx / t1
-    t3 = ty / t1
-    t4 = np.sqrt((t2 * t2 + t3 * t3))
-    t5 = t2 / t4
-    t6 = t3 / t4
-    t7 = sin_heading1 * t5 - cos_heading1 * t6
-    t8 = l1 + q1
-    t9 = cos_heading1 * t8
-    t10 = cos_heading1 * c2 - sin_heading1 * s2
-    t11 = cos_heading1 * s2 + sin_heading1 * c2
-    t12 = t10 * cos_heading3 - t11 * sin_heading3
-    t13 = l3 + q3
-    t14 = t9 + t10 * l2 + t12 * t13 - t9
-    t15 = sin_heading1 * t8
-    t16 = cos_heading3 * t11 + t10 * sin_heading3
-    t17 = t15 + l2 * t11 + t13 * t16 - t15
-    t18 = t5 * t14 + t6 * t17
-    t19 = t5 * t16 - t6 * t12
-    t20 = t5 * cos_heading1 + sin_heading1 * t6
-    t21 = t7 * t7 + t18 * t18 + t19 * t19 + t20 * t20
-    t22 = t6 * t14 - t5 * t17
-    t23 = t5 * t12 + t6 * t16
-    t24 = np.sqrt((t21 + t22 * t22 + t23 * t23))
-    t25 = 2.0 + t8 * t8 + t13 * t13 + l2 * l2
-    t26 = t19 * t22 - t18 * t23
-    t27 = t7 * t23 - t19 * t20
-    t28 = t18 * t20 - t7 * t22
-    t29 = np.sqrt((t26 * t26 + t27 * t27 + t28 * t28))
-    t30 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t24 * np.sqrt(t25) - np.copysign(t29, 1.0))
-    t31 = 0.5 - t30
-    t32 = t31 / (1.0 - t31 + t29 * t31)
-    t33 = t28 * t32
-    t34 = t27 * t32
-    t35 = t32 * (t18 * t33 - t19 * t34)
-    t36 = t26 * t32
-    t37 = t23 + t23
-    t38 = t32 * (t19 * t36 - t7 * t33)
-    t39 = t32 * (t7 * t34 - t18 * t36)
-    t40 = t13 * t19
-    t41 = t38 * t38
-    t42 = t5 * t11 - t6 * t10
-    t43 = l2 * t42
-    t44 = t37 * t38 * t39 - t40 * t41 - t41 * t43
-    t45 = t44 - kappa
-    t46 = t25 * (t24 * (1.4210854715202004e-14 * t32))
-    t47 = t34 * t34
-    t48 = t33 * (t34 * t37) - t40 * t47 - t43 * t47
-    t49 = np.copysign(t48, 1.0)
-    t50 = 0.5 - 0.5 * np.copysign(1.0, t46 - t49)
-    t51 = t41 + t35 * t35 + t39 * t39
-    t52 = np.sqrt(t51)
-    t53 = t46 * (t52 + t52)
-    t54 = t19 + t19
-    t55 = t37 * (t33 * t38 + t34 * t39) - t34 * (t38 * (t13 * t54))
-    t56 = t55 - t34 * (t38 * (l2 * (t42 + t42)))
-    t57 = np.copysign(t56, 1.0)
-    t58 = t46 * t51
-    t59 = np.copysign(t45, 1.0)
-    t60 = (t53 + t53) * t57 + t49 * (4.0 * t58) + 4.0 * t46 * t59
-    t61 = t56 * t56 - t48 * (4.0 * t45)
-    t62 = np.maximum(0.0, t61)
-    t63 = t50 * (0.5 - 0.5 * np.copysign(1.0, t60 - np.copysign(t62, 1.0)))
-    t64 = 1.0 - t63
-    t65 = t63 * (-0.5 * t56 - 0.5 * np.copysign(np.sqrt(t62), t56))
-    t66 = 1.0 - t50
-    t67 = 0.5 - 0.5 * np.copysign(1.0, t53 - t57)
-    t68 = t66 * t67
-    t69 = t50 * t56 / (t66 + t48 * (t50 + t50)) + t45 * t68 / (1.0 - t68 + t56 * t68)
-    t70 = t45 * t63 / (t64 + t65) - t64 * t69
-    t71 = t31 * (t35 + t36 * t70)
-    t72 = t31 * (t38 + t34 * t70)
-    t73 = t31 * (t39 + t33 * t70)
-    t74 = t31 * t63
-    t75 = t65 / (t64 + t48 * t63)
-    t76 = t74 * (t35 + t36 * t75)
-    t77 = t74 * (t38 + t34 * t75)
-    t78 = t74 * (t39 + t33 * t75)
-    t79 = t71 * leads1 + t72 * leads2 + t73 * leads3
-    t80 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t71, 1.0), np.copysign(t72, 1.0)), np.copysign(t73, 1.0)) - np.copysign(t79, 1.0)
-    t81 = 0.5 - 0.5 * np.copysign(1.0, t80)
-    t82 = 1.0 - t81
-    t83 = t81 / (t82 + t79 * t81)
-    t84 = t76 * leads1 + t77 * leads2 + t78 * leads3
-    t85 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t76, 1.0), np.copysign(t77, 1.0)), np.copysign(t78, 1.0)) - np.copysign(t84, 1.0)
-    t86 = 0.5 - 0.5 * np.copysign(1.0, t85)
-    t87 = 1.0 - t86
-    t88 = t86 / (t87 + t84 * t86)
-    t89 = t72 * t72
-    t90 = t73 * (t37 * t72) - t40 * t89 - t43 * t89
-    t91 = t77 * t77
-    t92 = t78 * (t37 * t77) - t40 * t91 - t43 * t91
-    t93 = t13 * t23
-    t94 = l2 * (t5 * t10 + t6 * t11)
-    t95 = -3.0 * t90 * (t89 * t93 + t89 * t94 + t73 * (t54 * t72))
-    t96 = t72 * t89
-    t97 = 3.0 * t19
-    t98 = t95 + t93 * t96 + t94 * t96 + t89 * (t73 * t97)
-    t99 = -3.0 * t92 * (t91 * t93 + t91 * t94 + t78 * (t54 * t77))
-    t100 = t77 * t91
-    t101 = t99 + t93 * t100 + t94 * t100 + t91 * (t78 * t97)
-    t102 = 0.5 - 0.5 * np.copysign(1.0, t60 - np.copysign(np.maximum(0.0, -t61), 1.0))
-    t103 = t50 * t102
-    t104 = 4.0 + t31 * (t50 * t103 + t66 * (2.0 + t67)) - 4.0 * t31
-    t105 = np.copysign((-(t101 + kappa_s)), 1.0) - np.copysign((-(t98 + kappa_s)), 1.0)
-    t106 = t66 * (1.0 - t67) * (0.5 + 0.5 * np.copysign(1.0, t58 - t59))
+    t1 = l1 + q1
+    t2 = cos_heading1 * t1
+    t3 = cos_heading1 * c2 - sin_heading1 * s2
+    t4 = cos_heading1 * s2 + c2 * sin_heading1
+    t5 = t3 * cos_heading3 - t4 * sin_heading3
+    t6 = l3 + q3
+    t7 = t2 + t3 * l2 + t5 * t6 - t2
+    t8 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t9 = tx / t8
+    t10 = ty / t8
+    t11 = np.sqrt((t9 * t9 + t10 * t10))
+    t12 = t9 / t11
+    t13 = t1 * sin_heading1
+    t14 = cos_heading3 * t4 + t3 * sin_heading3
+    t15 = t13 + l2 * t4 + t6 * t14 - t13
+    t16 = t10 / t11
+    t17 = t7 * t12 + t15 * t16
+    t18 = t7 * t16 - t12 * t15
+    t19 = np.sqrt((t1 * t1 + t6 * t6 + l2 * l2))
+    t20 = t19 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t19, 1.0)))
+    t21 = t20 * t20
+    t22 = 1.4210854715202004e-14 * np.sqrt((t17 * t17 + t18 * t18 + (t21 + t21)))
+    t23 = 1.7320508075688772 * t20
+    t24 = sin_heading1 * t12 - cos_heading1 * t16
+    t25 = t5 * t12 + t14 * t16
+    t26 = t12 * t14 - t5 * t16
+    t27 = cos_heading1 * t12 + sin_heading1 * t16
+    t28 = t24 * t25 - t26 * t27
+    t29 = t28 * t28
+    t30 = t18 * t26 - t17 * t25
+    t31 = t30 * t30
+    t32 = t17 * t27 - t18 * t24
+    t33 = t32 * t32
+    t34 = np.sqrt((t29 + t31 / t21 + t33 / t21))
+    t35 = 0.5 - 0.5 * np.copysign(1.0, t22 * t23 - np.copysign((t21 * t34), 1.0))
+    t36 = 1.0 - t35
+    t37 = t35 / (t36 + t35 * np.sqrt((t33 + (t29 + t31))))
+    t38 = t32 * t37
+    t39 = t28 * t37
+    t40 = t37 * (t17 * t38 - t26 * t39)
+    t41 = t30 * t37
+    t42 = t25 + t25
+    t43 = t37 * (t26 * t41 - t24 * t38)
+    t44 = t37 * (t24 * t39 - t17 * t41)
+    t45 = t6 * t26
+    t46 = t43 * t43
+    t47 = t4 * t12 - t3 * t16
+    t48 = l2 * t47
+    t49 = t42 * t43 * t44 - t45 * t46 - t46 * t48
+    t50 = t49 - kappa
+    t51 = t22 * t35 / t21 * (t23 * t23) / (t36 + t34 * t35)
+    t52 = t34 * t37
+    t53 = t51 * (t52 * t52)
+    t54 = t39 * t39
+    t55 = t38 * (t39 * t42) - t45 * t54 - t48 * t54
+    t56 = np.copysign(t55, 1.0)
+    t57 = 0.5 - 0.5 * np.copysign(1.0, t53 - t56)
+    t58 = t46 + t40 * t40 / t21 + t44 * t44 / t21
+    t59 = np.sqrt(t58)
+    t60 = t51 * (t52 * (t59 + t59))
+    t61 = t26 + t26
+    t62 = t42 * (t38 * t43 + t39 * t44) - t39 * (t43 * (t6 * t61))
+    t63 = t62 - t39 * (t43 * (l2 * (t47 + t47)))
+    t64 = np.copysign(t63, 1.0)
+    t65 = t51 * t58
+    t66 = np.copysign(t50, 1.0)
+    t67 = (t60 + t60) * t64 + t56 * (4.0 * t65) + 4.0 * t53 * t66
+    t68 = t63 * t63 - t55 * (4.0 * t50)
+    t69 = np.maximum(0.0, t68)
+    t70 = t57 * (0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(t69, 1.0)))
+    t71 = 1.0 - t70
+    t72 = t70 * (-0.5 * t63 - 0.5 * np.copysign(np.sqrt(t69), t63))
+    t73 = 1.0 - t57
+    t74 = 0.5 - 0.5 * np.copysign(1.0, t60 - t64)
+    t75 = t73 * t74
+    t76 = t57 * t63 / (t73 + t55 * (t57 + t57)) + t50 * t75 / (1.0 - t75 + t63 * t75)
+    t77 = t50 * t70 / (t71 + t72) - t71 * t76
+    t78 = t35 * (t40 + t41 * t77)
+    t79 = t35 * (t43 + t39 * t77)
+    t80 = t35 * (t44 + t38 * t77)
+    t81 = t35 * t70
+    t82 = t72 / (t71 + t55 * t70)
+    t83 = t81 * (t40 + t41 * t82)
+    t84 = t81 * (t43 + t39 * t82)
+    t85 = t81 * (t44 + t38 * t82)
+    t86 = np.maximum(np.maximum(np.copysign(t79, 1.0), np.copysign((t78 / t20), 1.0)), np.copysign((t80 / t20), 1.0))
+    t87 = leads2 + t20 * leads1 + t20 * leads3
+    t88 = t78 * leads1 + t79 * leads2 + t80 * leads3
+    t89 = 0.5 - 0.5 * np.copysign(1.0, 9.094947017729282e-13 * t86 * t87 - np.copysign(t88, 1.0))
+    t90 = 1.0 - t89
+    t91 = t89 / (t90 + t88 * t89)
+    t92 = 1.0 - leads1
+    t93 = 1.0 - leads3
+    t94 = np.maximum(np.maximum(np.copysign(t84, 1.0), np.copysign((t83 / t20), 1.0)), np.copysign((t85 / t20), 1.0))
+    t95 = t83 * leads1 + t84 * leads2 + t85 * leads3
+    t96 = 0.5 - 0.5 * np.copysign(1.0, t87 * (9.094947017729282e-13 * t94) - np.copysign(t95, 1.0))
+    t97 = 1.0 - t96
+    t98 = t96 / (t97 + t95 * t96)
+    t99 = t79 * t79
+    t100 = t80 * (t42 * t79) - t45 * t99 - t48 * t99
+    t101 = t84 * t84
+    t102 = t85 * (t42 * t84) - t45 * t101 - t48 * t101
+    t103 = t6 * t25
+    t104 = l2 * (t3 * t12 + t4 * t16)
+    t105 = -3.0 * t100 * (t99 * t103 + t99 * t104 + t80 * (t61 * t79))
+    t106 = t79 * t99
+    t107 = 3.0 * t26
+    t108 = t105 + t103 * t106 + t104 * t106 + t99 * (t80 * t107)
+    t109 = -3.0 * t102 * (t101 * t103 + t101 * t104 + t85 * (t61 * t84))
+    t110 = t84 * t101
+    t111 = t109 + t103 * t110 + t104 * t110 + t101 * (t85 * t107)
+    t112 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t113 = t57 * t112
+    t114 = 4.0 + t35 * (t57 * t113 + t73 * (2.0 + t74)) - 4.0 * t35
+    t115 = np.copysign((-(t111 + kappa_s)), 1.0) - np.copysign((-(t108 + kappa_s)), 1.0)
+    t116 = t73 * (1.0 - t74) * (0.5 + 0.5 * np.copysign(1.0, t65 - t66))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -583,33 +591,33 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*_leading, 1), _real)
     least = np.empty((*_leading, 3), _real)
     null = np.empty((*_leading, 3), _real)
-    rates[..., 0] = t71
-    rates[..., 1] = t72
-    rates[..., 2] = t73
-    rates[..., 3] = t76
-    rates[..., 4] = t77
-    rates[..., 5] = t78
-    ratios[..., 0] = t83 * (t71 + leads1 * (t72 - t71))
-    ratios[..., 1] = t83 * (t73 + leads3 * (t72 - t73))
-    ratios[..., 2] = t88 * (t76 + leads1 * (t77 - t76))
-    ratios[..., 3] = t88 * (t78 + leads3 * (t77 - t78))
-    tracked[..., 0] = t90
-    tracked[..., 1] = t92
-    tracked_rate[..., 0] = -t98
-    tracked_rate[..., 1] = -t101
-    verdict[..., 0] = t104
-    verdict[..., 1] = t31 * (1.0 + t63)
-    verdict[..., 2] = t63 * (0.5 * t31) * (1.0 - np.copysign(1.0, t105))
-    verdict[..., 3] = t31 * (t68 + t50 * (1.0 - t103) + t106)
-    verdict[..., 4] = t74 * t87 + t31 * t82
-    parabola[..., 0] = t48
-    parabola[..., 1] = t56
-    parabola[..., 2] = t44
-    slack[..., 0] = t61
-    least[..., 0] = t35
-    least[..., 1] = t38
-    least[..., 2] = t39
-    null[..., 0] = t36
-    null[..., 1] = t34
-    null[..., 2] = t33
+    rates[..., 0] = t78
+    rates[..., 1] = t79
+    rates[..., 2] = t80
+    rates[..., 3] = t83
+    rates[..., 4] = t84
+    rates[..., 5] = t85
+    ratios[..., 0] = t91 * (t79 * leads1 + t78 * t92)
+    ratios[..., 1] = t91 * (t79 * leads3 + t80 * t93)
+    ratios[..., 2] = t98 * (t84 * leads1 + t83 * t92)
+    ratios[..., 3] = t98 * (t84 * leads3 + t85 * t93)
+    tracked[..., 0] = t100
+    tracked[..., 1] = t102
+    tracked_rate[..., 0] = -t108
+    tracked_rate[..., 1] = -t111
+    verdict[..., 0] = t114
+    verdict[..., 1] = t35 * (1.0 + t70)
+    verdict[..., 2] = t70 * (0.5 * t35) * (1.0 - np.copysign(1.0, t115))
+    verdict[..., 3] = t35 * (t75 + t57 * (1.0 - t113) + t116)
+    verdict[..., 4] = t81 * t97 + t35 * t90
+    parabola[..., 0] = t55
+    parabola[..., 1] = t63
+    parabola[..., 2] = t49
+    slack[..., 0] = t68
+    least[..., 0] = t40
+    least[..., 1] = t43
+    least[..., 2] = t44
+    null[..., 0] = t41
+    null[..., 1] = t39
+    null[..., 2] = t38
     return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

@@ -1,6 +1,6 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 0ecbae4c3f69ec4121195092879b867f33f31a1d40fc11afb9278dc265ead913.
- * 900 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs e579c92d526a1cb641551dfd9a83e9cffebc25bc45283499050915c0552d3b0e.
+ * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "0ecbae4c3f69ec4121195092879b867f33f31a1d40fc11afb9278dc265ead913";
+const char planar_prr_speed_ratio_digest[] = "e579c92d526a1cb641551dfd9a83e9cffebc25bc45283499050915c0552d3b0e";
 #endif
 
 #define LANES 64

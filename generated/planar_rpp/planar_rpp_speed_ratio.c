@@ -1,6 +1,6 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs a64aa6058ab7fb874544f2f2beeb62d5d04fb91ade025d6faa026b85e9bf9f5a.
- * 953 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1a986c4eab0d2cd31c1a11c4485b84d5a67aaf2581cb90c36e355b1da7156d08.
+ * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "a64aa6058ab7fb874544f2f2beeb62d5d04fb91ade025d6faa026b85e9bf9f5a";
+const char planar_rpp_speed_ratio_digest[] = "1a986c4eab0d2cd31c1a11c4485b84d5a67aaf2581cb90c36e355b1da7156d08";
 #endif
 
 #define LANES 64

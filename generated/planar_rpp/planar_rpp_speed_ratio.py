@@ -1,7 +1,7 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a64aa6058ab7fb874544f2f2beeb62d5d04fb91ade025d6faa026b85e9bf9f5a.
-953 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 1a986c4eab0d2cd31c1a11c4485b84d5a67aaf2581cb90c36e355b1da7156d08.
+978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 156 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 148 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -79,25 +79,23 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t24 = t6 * t19 + t15 * t21
     t25 = t3 * t8 + t6 * t9 + l1 * (s1 * tx - c1 * ty)
     t26 = t12 * t12 + t20 * t20
-    t27 = np.sqrt((2.0 + t8 * t8 + t9 * t9 + l1 * l1))
-    t28 = 1.4210854715202004e-14 * t27
-    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t7, 1.0))
-    t30 = 1.0 - t29
-    t31 = t13 * t30 + t15 * t29
-    t32 = t3 * t30 + t6 * t29
-    t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
-    t34 = t33 / (1.0 - t33 - t32 * t33)
-    t35 = t34 * (t3 * t29 + t6 * t30)
-    t36 = t13 * t29 + t15 * t30 + t31 * t35
-    t37 = t36 * t36
-    t38 = t12 * t34
-    t39 = t20 + t31 * t38
-    t40 = (t36 + t36) * t39
-    t41 = t18 * t30 + t23 * t29
-    t42 = t18 * t29 + t23 * t30 + t35 * t41
-    t43 = t25 + t38 * t41
-    t44 = t42 * (t40 + t40) - t43 * (4.0 * t37)
-    t45 = t42 * t42
+    t27 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
+    t28 = 1.0 - t27
+    t29 = t13 * t28 + t15 * t27
+    t30 = t3 * t28 + t6 * t27
+    t31 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t30), 1.0))
+    t32 = t31 / (1.0 - t31 - t30 * t31)
+    t33 = t32 * (t3 * t27 + t6 * t28)
+    t34 = t13 * t27 + t15 * t28 + t29 * t33
+    t35 = t34 * t34
+    t36 = t12 * t32
+    t37 = t20 + t29 * t36
+    t38 = (t34 + t34) * t37
+    t39 = t18 * t28 + t23 * t27
+    t40 = t18 * t27 + t23 * t28 + t33 * t39
+    t41 = t25 + t36 * t39
+    t42 = t40 * (t38 + t38) - t41 * (4.0 * t35)
+    t43 = t40 * t40
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -130,20 +128,20 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     B1[..., 3] = t22
     B1[..., 4] = t24
     B1[..., 5] = t26
-    a[..., 0] = t37
-    a[..., 1] = t40
-    a[..., 2] = t39 * t39
+    a[..., 0] = t35
+    a[..., 1] = t38
+    a[..., 2] = t37 * t37
     b[..., 0] = 0.0
-    b[..., 1] = t42
-    b[..., 2] = t43
-    C[..., 0] = t44
-    D[..., 0] = t45
-    discriminant[..., 0] = t45 + kappa * t44
+    b[..., 1] = t40
+    b[..., 2] = t41
+    C[..., 0] = t42
+    D[..., 0] = t43
+    discriminant[..., 0] = t43 + kappa * t42
     return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 173 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 175 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -212,25 +210,25 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t24 = t12 * t19 + t20 * t22
     t25 = t10 * (t12 + t12) + t16 * (t22 + t22)
     t26 = t12 * t12 + t22 * t22
-    t27 = np.sqrt((2.0 + t2 * t2 + t5 * t5 + l1 * l1))
-    t28 = 1.4210854715202004e-14 * t27
-    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t11, 1.0))
-    t30 = 1.0 - t29
-    t31 = t14 * t30 + t16 * t29
-    t32 = t9 * t30 + t10 * t29
-    t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
-    t34 = t33 / (1.0 - t33 - t32 * t33)
-    t35 = t34 * (t9 * t29 + t10 * t30)
-    t36 = t14 * t29 + t16 * t30 + t31 * t35
+    t27 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t11, 1.0))
+    t28 = 1.0 - t27
+    t29 = t14 * t28 + t16 * t27
+    t30 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + t5 * t5 + l1 * l1))
+    t31 = t9 * t28 + t10 * t27
+    t32 = np.copysign(1.0, 1.4210854715202004e-14 * t27 + t28 * t30 - np.copysign((-t31), 1.0))
+    t33 = 0.5 - 0.5 * t32
+    t34 = t33 / (1.0 - t33 - t31 * t33)
+    t35 = t34 * (t9 * t27 + t10 * t28)
+    t36 = t14 * t27 + t16 * t28 + t29 * t35
     t37 = t36 * t36
     t38 = t12 * t34
-    t39 = t22 + t31 * t38
+    t39 = t22 + t29 * t38
     t40 = (t36 + t36) * t39
     t41 = t39 * t39
-    t42 = t13 * t30
-    t43 = t13 * t29 + t42 * (t35 * t35) + t18 * t35
-    t44 = t23 * t29 + t35 * (t38 * (t42 + t42)) + t18 * t38
-    t45 = t23 * t30
+    t42 = t13 * t28
+    t43 = t13 * t27 + t42 * (t35 * t35) + t18 * t35
+    t44 = t23 * t27 + t35 * (t38 * (t42 + t42)) + t18 * t38
+    t45 = t23 * t28
     t46 = t44 + t35 * t45
     t47 = t42 * (t38 * t38) + t38 * t45
     t48 = t46 * (t40 + t40) - t47 * (4.0 * t37) - t43 * (4.0 * t41)
@@ -280,7 +278,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 173 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 175 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -349,25 +347,25 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t24 = t12 * t19 + t20 * t22
     t25 = t12 * (t10 + t10) + t22 * (t16 + t16)
     t26 = t12 * t12 + t22 * t22
-    t27 = np.sqrt((2.0 + t2 * t2 + t5 * t5 + l1 * l1))
-    t28 = 1.4210854715202004e-14 * t27
-    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t11, 1.0))
-    t30 = 1.0 - t29
-    t31 = t14 * t30 + t16 * t29
-    t32 = t9 * t30 + t10 * t29
-    t33 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign((-t32), 1.0))
-    t34 = t33 / (1.0 - t33 - t32 * t33)
-    t35 = t34 * (t9 * t29 + t10 * t30)
-    t36 = t14 * t29 + t16 * t30 + t31 * t35
+    t27 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t11, 1.0))
+    t28 = 1.0 - t27
+    t29 = t14 * t28 + t16 * t27
+    t30 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + t5 * t5 + l1 * l1))
+    t31 = t9 * t28 + t10 * t27
+    t32 = np.copysign(1.0, 1.4210854715202004e-14 * t27 + t28 * t30 - np.copysign((-t31), 1.0))
+    t33 = 0.5 - 0.5 * t32
+    t34 = t33 / (1.0 - t33 - t31 * t33)
+    t35 = t34 * (t9 * t27 + t10 * t28)
+    t36 = t14 * t27 + t16 * t28 + t29 * t35
     t37 = t36 * t36
     t38 = t12 * t34
-    t39 = t22 + t31 * t38
+    t39 = t22 + t29 * t38
     t40 = (t36 + t36) * t39
     t41 = t39 * t39
-    t42 = t13 * t30
-    t43 = t13 * t29 + t42 * (t35 * t35) + t18 * t35
-    t44 = t23 * t29 + t35 * (t38 * (t42 + t42)) + t18 * t38
-    t45 = t23 * t30
+    t42 = t13 * t28
+    t43 = t13 * t27 + t42 * (t35 * t35) + t18 * t35
+    t44 = t23 * t27 + t35 * (t38 * (t42 + t42)) + t18 * t38
+    t45 = t23 * t28
     t46 = t44 + t35 * t45
     t47 = t42 * (t38 * t38) + t38 * t45
     t48 = t46 * (t40 + t40) - t47 * (4.0 * t37) - t43 * (4.0 * t41)
@@ -417,7 +415,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 451 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 480 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -481,109 +479,119 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t13 = cos_heading3 * t8 + t6 * sin_heading3
     t14 = l1 * s1 + t7 * t8 + t10 * t13
     t15 = t5 * t11 + t12 * t14
-    t16 = t5 * t8 - t6 * t12
-    t17 = t5 * t13 - t9 * t12
-    t18 = t11 * t12 - t5 * t14
-    t19 = t15 * t15 + t16 * t16 + t17 * t17 + t18 * t18
-    t20 = t5 * t6 + t8 * t12
-    t21 = t5 * t9 + t12 * t13
-    t22 = np.sqrt((t19 + t20 * t20 + t21 * t21))
-    t23 = 2.0 + t7 * t7 + t10 * t10 + l1 * l1
-    t24 = t17 * t20 - t16 * t21
-    t25 = t15 * t21 - t17 * t18
-    t26 = t16 * t18 - t15 * t20
-    t27 = np.sqrt((t24 * t24 + t25 * t25 + t26 * t26))
-    t28 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t22 * np.sqrt(t23) - np.copysign(t27, 1.0))
-    t29 = 0.5 - t28
-    t30 = t29 / (1.0 - t29 + t27 * t29)
-    t31 = t26 * t30
-    t32 = t25 * t30
-    t33 = t30 * (t16 * t31 - t17 * t32)
-    t34 = t24 * t30
-    t35 = t20 + t20
-    t36 = t30 * (t17 * t34 - t15 * t31)
-    t37 = t21 + t21
-    t38 = t30 * (t15 * t32 - t16 * t34)
-    t39 = t7 * t16
-    t40 = t33 * t33
-    t41 = t33 * t35 * t36 + t33 * t37 * t38 - t39 * t40
-    t42 = t10 * t17
-    t43 = t5 * s1 - c1 * t12
-    t44 = l1 * t43
-    t45 = t41 - t40 * t42 - t40 * t44
-    t46 = t45 - kappa
-    t47 = t23 * (t22 * (1.4210854715202004e-14 * t30))
-    t48 = t34 * t34
-    t49 = t32 * (t34 * t35) + t31 * (t34 * t37) - t39 * t48
-    t50 = t49 - t42 * t48 - t44 * t48
-    t51 = np.copysign(t50, 1.0)
-    t52 = 0.5 - 0.5 * np.copysign(1.0, t47 - t51)
-    t53 = t40 + t36 * t36 + t38 * t38
-    t54 = np.sqrt(t53)
-    t55 = t47 * (t54 + t54)
-    t56 = t35 * (t32 * t33 + t34 * t36) + t37 * (t31 * t33 + t34 * t38)
-    t57 = t16 + t16
-    t58 = t17 + t17
-    t59 = t56 - t34 * (t33 * (t7 * t57)) - t34 * (t33 * (t10 * t58))
-    t60 = t59 - t34 * (t33 * (l1 * (t43 + t43)))
-    t61 = np.copysign(t60, 1.0)
-    t62 = t47 * t53
-    t63 = np.copysign(t46, 1.0)
-    t64 = (t55 + t55) * t61 + t51 * (4.0 * t62) + 4.0 * t47 * t63
-    t65 = t60 * t60 - t50 * (4.0 * t46)
-    t66 = np.maximum(0.0, t65)
-    t67 = t52 * (0.5 - 0.5 * np.copysign(1.0, t64 - np.copysign(t66, 1.0)))
-    t68 = 1.0 - t67
-    t69 = t67 * (-0.5 * t60 - 0.5 * np.copysign(np.sqrt(t66), t60))
-    t70 = 1.0 - t52
-    t71 = 0.5 - 0.5 * np.copysign(1.0, t55 - t61)
-    t72 = t70 * t71
-    t73 = t52 * t60 / (t70 + t50 * (t52 + t52)) + t46 * t72 / (1.0 - t72 + t60 * t72)
-    t74 = t46 * t67 / (t68 + t69) - t68 * t73
-    t75 = t29 * (t33 + t34 * t74)
-    t76 = t29 * (t36 + t32 * t74)
-    t77 = t29 * (t38 + t31 * t74)
-    t78 = t29 * t67
-    t79 = t69 / (t68 + t50 * t67)
-    t80 = t78 * (t33 + t34 * t79)
-    t81 = t78 * (t36 + t32 * t79)
-    t82 = t78 * (t38 + t31 * t79)
-    t83 = t75 * leads1 + t76 * leads2 + t77 * leads3
-    t84 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t75, 1.0), np.copysign(t76, 1.0)), np.copysign(t77, 1.0)) - np.copysign(t83, 1.0)
-    t85 = 0.5 - 0.5 * np.copysign(1.0, t84)
-    t86 = 1.0 - t85
-    t87 = t85 / (t86 + t83 * t85)
-    t88 = t80 * leads1 + t81 * leads2 + t82 * leads3
-    t89 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t80, 1.0), np.copysign(t81, 1.0)), np.copysign(t82, 1.0)) - np.copysign(t88, 1.0)
-    t90 = 0.5 - 0.5 * np.copysign(1.0, t89)
-    t91 = 1.0 - t90
-    t92 = t90 / (t91 + t88 * t90)
-    t93 = t75 * t75
-    t94 = t76 * (t35 * t75) + t77 * (t37 * t75) - t39 * t93
-    t95 = t94 - t42 * t93 - t44 * t93
-    t96 = t80 * t80
-    t97 = t81 * (t35 * t80) + t82 * (t37 * t80) - t39 * t96
-    t98 = t97 - t42 * t96 - t44 * t96
-    t99 = t7 * t20
-    t100 = t10 * t21
-    t101 = l1 * (t5 * c1 + s1 * t12)
-    t102 = t93 * t99 + t93 * t100 + t93 * t101 + t76 * (t57 * t75)
-    t103 = t75 * t93
-    t104 = -3.0 * t95 * (t102 + t77 * (t58 * t75)) + t99 * t103
-    t105 = 3.0 * t16
-    t106 = t104 + t100 * t103 + t101 * t103 + t93 * (t76 * t105)
-    t107 = 3.0 * t17
-    t108 = t106 + t93 * (t77 * t107)
-    t109 = t96 * t99 + t96 * t100 + t96 * t101 + t81 * (t57 * t80)
-    t110 = t80 * t96
-    t111 = -3.0 * t98 * (t109 + t82 * (t58 * t80)) + t99 * t110
-    t112 = t111 + t100 * t110 + t101 * t110 + t96 * (t81 * t105)
-    t113 = t112 + t96 * (t82 * t107)
-    t114 = 0.5 - 0.5 * np.copysign(1.0, t64 - np.copysign(np.maximum(0.0, -t65), 1.0))
-    t115 = t52 * t114
-    t116 = 4.0 + t29 * (t52 * t115 + t70 * (2.0 + t71)) - 4.0 * t29
-    t117 = np.copysign((-(t113 + kappa_s)), 1.0) - np.copysign((-(t108 + kappa_s)), 1.0)
-    t118 = t70 * (1.0 - t71) * (0.5 + 0.5 * np.copysign(1.0, t62 - t63))
+    t16 = t11 * t12 - t5 * t14
+    t17 = np.sqrt((t7 * t7 + t10 * t10 + l1 * l1))
+    t18 = t17 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t17, 1.0)))
+    t19 = t18 * t18
+    t20 = 1.4210854715202004e-14 * np.sqrt((t15 * t15 + t16 * t16 + (t19 + t19)))
+    t21 = 1.7320508075688772 * t18
+    t22 = t5 * t13 - t9 * t12
+    t23 = t5 * t6 + t8 * t12
+    t24 = t5 * t8 - t6 * t12
+    t25 = t5 * t9 + t12 * t13
+    t26 = t22 * t23 - t24 * t25
+    t27 = t26 * t26
+    t28 = t15 * t25 - t16 * t22
+    t29 = t28 * t28
+    t30 = t16 * t24 - t15 * t23
+    t31 = t30 * t30
+    t32 = np.sqrt((t27 + t29 / t19 + t31 / t19))
+    t33 = 0.5 - 0.5 * np.copysign(1.0, t20 * t21 - np.copysign((t19 * t32), 1.0))
+    t34 = 1.0 - t33
+    t35 = t33 / (t34 + t33 * np.sqrt((t31 + (t27 + t29))))
+    t36 = t30 * t35
+    t37 = t28 * t35
+    t38 = t35 * (t24 * t36 - t22 * t37)
+    t39 = t26 * t35
+    t40 = t23 + t23
+    t41 = t35 * (t22 * t39 - t15 * t36)
+    t42 = t25 + t25
+    t43 = t35 * (t15 * t37 - t24 * t39)
+    t44 = t7 * t24
+    t45 = t38 * t38
+    t46 = t38 * t40 * t41 + t38 * t42 * t43 - t44 * t45
+    t47 = t10 * t22
+    t48 = t5 * s1 - c1 * t12
+    t49 = l1 * t48
+    t50 = t46 - t45 * t47 - t45 * t49
+    t51 = t50 - kappa
+    t52 = t20 * t33 / t19 * (t21 * t21) / (t34 + t32 * t33)
+    t53 = t32 * t35
+    t54 = t52 * (t53 * t53)
+    t55 = t39 * t39
+    t56 = t37 * (t39 * t40) + t36 * (t39 * t42) - t44 * t55
+    t57 = t56 - t47 * t55 - t49 * t55
+    t58 = np.copysign(t57, 1.0)
+    t59 = 0.5 - 0.5 * np.copysign(1.0, t54 - t58)
+    t60 = t45 + t41 * t41 / t19 + t43 * t43 / t19
+    t61 = np.sqrt(t60)
+    t62 = t52 * (t53 * (t61 + t61))
+    t63 = t40 * (t37 * t38 + t39 * t41) + t42 * (t36 * t38 + t39 * t43)
+    t64 = t24 + t24
+    t65 = t22 + t22
+    t66 = t63 - t39 * (t38 * (t7 * t64)) - t39 * (t38 * (t10 * t65))
+    t67 = t66 - t39 * (t38 * (l1 * (t48 + t48)))
+    t68 = np.copysign(t67, 1.0)
+    t69 = t52 * t60
+    t70 = np.copysign(t51, 1.0)
+    t71 = (t62 + t62) * t68 + t58 * (4.0 * t69) + 4.0 * t54 * t70
+    t72 = t67 * t67 - t57 * (4.0 * t51)
+    t73 = np.maximum(0.0, t72)
+    t74 = t59 * (0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(t73, 1.0)))
+    t75 = 1.0 - t74
+    t76 = t74 * (-0.5 * t67 - 0.5 * np.copysign(np.sqrt(t73), t67))
+    t77 = 1.0 - t59
+    t78 = 0.5 - 0.5 * np.copysign(1.0, t62 - t68)
+    t79 = t77 * t78
+    t80 = t59 * t67 / (t77 + t57 * (t59 + t59)) + t51 * t79 / (1.0 - t79 + t67 * t79)
+    t81 = t51 * t74 / (t75 + t76) - t75 * t80
+    t82 = t33 * (t38 + t39 * t81)
+    t83 = t33 * (t41 + t37 * t81)
+    t84 = t33 * (t43 + t36 * t81)
+    t85 = t33 * t74
+    t86 = t76 / (t75 + t57 * t74)
+    t87 = t85 * (t38 + t39 * t86)
+    t88 = t85 * (t41 + t37 * t86)
+    t89 = t85 * (t43 + t36 * t86)
+    t90 = np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign((t83 / t18), 1.0)), np.copysign((t84 / t18), 1.0))
+    t91 = leads1 + t18 * leads2 + t18 * leads3
+    t92 = t82 * leads1 + t83 * leads2 + t84 * leads3
+    t93 = 0.5 - 0.5 * np.copysign(1.0, 9.094947017729282e-13 * t90 * t91 - np.copysign(t92, 1.0))
+    t94 = 1.0 - t93
+    t95 = t93 / (t94 + t92 * t93)
+    t96 = 1.0 - leads1
+    t97 = 1.0 - leads3
+    t98 = np.maximum(np.maximum(np.copysign(t87, 1.0), np.copysign((t88 / t18), 1.0)), np.copysign((t89 / t18), 1.0))
+    t99 = t87 * leads1 + t88 * leads2 + t89 * leads3
+    t100 = 0.5 - 0.5 * np.copysign(1.0, t91 * (9.094947017729282e-13 * t98) - np.copysign(t99, 1.0))
+    t101 = 1.0 - t100
+    t102 = t100 / (t101 + t99 * t100)
+    t103 = t82 * t82
+    t104 = t83 * (t40 * t82) + t84 * (t42 * t82) - t44 * t103
+    t105 = t104 - t47 * t103 - t49 * t103
+    t106 = t87 * t87
+    t107 = t88 * (t40 * t87) + t89 * (t42 * t87) - t44 * t106
+    t108 = t107 - t47 * t106 - t49 * t106
+    t109 = t7 * t23
+    t110 = t10 * t25
+    t111 = l1 * (t5 * c1 + s1 * t12)
+    t112 = t103 * t109 + t103 * t110 + t103 * t111 + t83 * (t64 * t82)
+    t113 = t82 * t103
+    t114 = -3.0 * t105 * (t112 + t84 * (t65 * t82)) + t109 * t113
+    t115 = 3.0 * t24
+    t116 = t114 + t110 * t113 + t111 * t113 + t103 * (t83 * t115)
+    t117 = 3.0 * t22
+    t118 = t116 + t103 * (t84 * t117)
+    t119 = t106 * t109 + t106 * t110 + t106 * t111 + t88 * (t64 * t87)
+    t120 = t87 * t106
+    t121 = -3.0 * t108 * (t119 + t89 * (t65 * t87)) + t109 * t120
+    t122 = t121 + t110 * t120 + t111 * t120 + t106 * (t88 * t115)
+    t123 = t122 + t106 * (t89 * t117)
+    t124 = 0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(np.maximum(0.0, -t72), 1.0))
+    t125 = t59 * t124
+    t126 = 4.0 + t33 * (t59 * t125 + t77 * (2.0 + t78)) - 4.0 * t33
+    t127 = np.copysign((-(t123 + kappa_s)), 1.0) - np.copysign((-(t118 + kappa_s)), 1.0)
+    t128 = t77 * (1.0 - t78) * (0.5 + 0.5 * np.copysign(1.0, t69 - t70))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -595,33 +603,33 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*_leading, 1), _real)
     least = np.empty((*_leading, 3), _real)
     null = np.empty((*_leading, 3), _real)
-    rates[..., 0] = t75
-    rates[..., 1] = t76
-    rates[..., 2] = t77
-    rates[..., 3] = t80
-    rates[..., 4] = t81
-    rates[..., 5] = t82
-    ratios[..., 0] = t87 * (t75 + leads1 * (t76 - t75))
-    ratios[..., 1] = t87 * (t77 + leads3 * (t76 - t77))
-    ratios[..., 2] = t92 * (t80 + leads1 * (t81 - t80))
-    ratios[..., 3] = t92 * (t82 + leads3 * (t81 - t82))
-    tracked[..., 0] = t95
-    tracked[..., 1] = t98
-    tracked_rate[..., 0] = -t108
-    tracked_rate[..., 1] = -t113
-    verdict[..., 0] = t116
-    verdict[..., 1] = t29 * (1.0 + t67)
-    verdict[..., 2] = t67 * (0.5 * t29) * (1.0 - np.copysign(1.0, t117))
-    verdict[..., 3] = t29 * (t72 + t52 * (1.0 - t115) + t118)
-    verdict[..., 4] = t78 * t91 + t29 * t86
-    parabola[..., 0] = t50
-    parabola[..., 1] = t60
-    parabola[..., 2] = t45
-    slack[..., 0] = t65
-    least[..., 0] = t33
-    least[..., 1] = t36
-    least[..., 2] = t38
-    null[..., 0] = t34
-    null[..., 1] = t32
-    null[..., 2] = t31
+    rates[..., 0] = t82
+    rates[..., 1] = t83
+    rates[..., 2] = t84
+    rates[..., 3] = t87
+    rates[..., 4] = t88
+    rates[..., 5] = t89
+    ratios[..., 0] = t95 * (t83 * leads1 + t82 * t96)
+    ratios[..., 1] = t95 * (t83 * leads3 + t84 * t97)
+    ratios[..., 2] = t102 * (t88 * leads1 + t87 * t96)
+    ratios[..., 3] = t102 * (t88 * leads3 + t89 * t97)
+    tracked[..., 0] = t105
+    tracked[..., 1] = t108
+    tracked_rate[..., 0] = -t118
+    tracked_rate[..., 1] = -t123
+    verdict[..., 0] = t126
+    verdict[..., 1] = t33 * (1.0 + t74)
+    verdict[..., 2] = t74 * (0.5 * t33) * (1.0 - np.copysign(1.0, t127))
+    verdict[..., 3] = t33 * (t79 + t59 * (1.0 - t125) + t128)
+    verdict[..., 4] = t85 * t101 + t33 * t94
+    parabola[..., 0] = t57
+    parabola[..., 1] = t67
+    parabola[..., 2] = t50
+    slack[..., 0] = t72
+    least[..., 0] = t38
+    least[..., 1] = t41
+    least[..., 2] = t43
+    null[..., 0] = t39
+    null[..., 1] = t37
+    null[..., 2] = t36
     return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

@@ -1,6 +1,6 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs bbc93cc24ca5f7ea8535b0696d2b52e296d373a77665ecec87f30b1b05620c23.
- * 972 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 2dfed44fc1fbd603788ca861225c4337a7dd39d2b9965909cb65987312e66f7a.
+ * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "bbc93cc24ca5f7ea8535b0696d2b52e296d373a77665ecec87f30b1b05620c23";
+const char planar_rpr_speed_ratio_digest[] = "2dfed44fc1fbd603788ca861225c4337a7dd39d2b9965909cb65987312e66f7a";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bbc93cc24ca5f7ea8535b0696d2b52e296d373a77665ecec87f30b1b05620c23.
-972 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 2dfed44fc1fbd603788ca861225c4337a7dd39d2b9965909cb65987312e66f7a.
+1003 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def speed_ratio_terms_1(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 178 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 1 leading: 181 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -81,25 +81,25 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t27 = t8 * t22 + t18 * t24
     t28 = t17 + (t3 * t10 + l1 * (s1 * tx - c1 * ty))
     t29 = t13 * t13 + t23 * t23
-    t30 = np.sqrt((1.0 + t10 * t10 + l1 * l1 + l3 * l3))
-    t31 = 1.4210854715202004e-14 * t30
-    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t9, 1.0))
-    t33 = 1.0 - t32
-    t34 = t14 * t33 + t18 * t32
-    t35 = t3 * t33 + t8 * t32
-    t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
-    t37 = t36 / (1.0 - t36 - t35 * t36)
-    t38 = t37 * (t3 * t32 + t8 * t33)
-    t39 = t14 * t32 + t18 * t33 + t34 * t38
+    t30 = 1.4210854715202004e-14 * np.sqrt((t10 * t10 + l1 * l1 + l3 * l3))
+    t31 = 0.5 - 0.5 * np.copysign(1.0, t30 - np.copysign(t9, 1.0))
+    t32 = 1.0 - t31
+    t33 = t14 * t32 + t18 * t31
+    t34 = t3 * t32 + t8 * t31
+    t35 = 1.4210854715202004e-14 + t30 * t31 - 1.4210854715202004e-14 * t31 - np.copysign((-t34), 1.0)
+    t36 = 0.5 - 0.5 * np.copysign(1.0, t35)
+    t37 = t36 / (1.0 - t36 - t34 * t36)
+    t38 = t37 * (t3 * t31 + t8 * t32)
+    t39 = t14 * t31 + t18 * t32 + t33 * t38
     t40 = t39 * t39
     t41 = t13 * t37
-    t42 = t23 + t34 * t41
+    t42 = t23 + t33 * t41
     t43 = (t39 + t39) * t42
     t44 = t42 * t42
-    t45 = t17 * t32
-    t46 = t17 * t33 + t45 * (t38 * t38)
-    t47 = t21 * t32 + t26 * t33 + t38 * (t41 * (t45 + t45))
-    t48 = t21 * t33 + t26 * t32
+    t45 = t17 * t31
+    t46 = t17 * t32 + t45 * (t38 * t38)
+    t47 = t21 * t31 + t26 * t32 + t38 * (t41 * (t45 + t45))
+    t48 = t21 * t32 + t26 * t31
     t49 = t47 + t38 * t48
     t50 = t28 + t45 * (t41 * t41) + t41 * t48
     t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
@@ -149,7 +149,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
 
 
 def speed_ratio_terms_2(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 181 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 2 leading: 180 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -220,29 +220,28 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t27 = t13 * t22 + t23 * t25
     t28 = t11 * (t13 + t13) + t19 * (t25 + t25)
     t29 = t13 * t13 + t25 * t25
-    t30 = np.sqrt((1.0 + t2 * t2 + l1 * l1 + l3 * l3))
-    t31 = 1.4210854715202004e-14 * t30
-    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t12, 1.0))
-    t33 = 1.0 - t32
-    t34 = t17 * t33 + t19 * t32
-    t35 = t10 * t33 + t11 * t32
-    t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
-    t37 = t36 / (1.0 - t36 - t35 * t36)
-    t38 = t37 * (t10 * t32 + t11 * t33)
-    t39 = t17 * t32 + t19 * t33 + t34 * t38
-    t40 = t39 * t39
-    t41 = t13 * t37
-    t42 = t25 + t34 * t41
-    t43 = (t39 + t39) * t42
-    t44 = t42 * t42
-    t45 = t16 * t33 + t15 * t32
-    t46 = t16 * t32 + t15 * t33 + t45 * (t38 * t38) + t21 * t38
-    t47 = t26 * t32 + t38 * (t41 * (t45 + t45)) + t21 * t41
-    t48 = t26 * t33
-    t49 = t47 + t38 * t48
-    t50 = t45 * (t41 * t41) + t41 * t48
-    t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
-    t52 = t49 * t49 - t50 * (4.0 * t46)
+    t30 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + l1 * l1 + l3 * l3))
+    t31 = 0.5 - 0.5 * np.copysign(1.0, t30 - np.copysign(t12, 1.0))
+    t32 = 1.0 - t31
+    t33 = t17 * t32 + t19 * t31
+    t34 = t10 * t32 + t11 * t31
+    t35 = 0.5 - 0.5 * np.copysign(1.0, t30 - np.copysign((-t34), 1.0))
+    t36 = t35 / (1.0 - t35 - t34 * t35)
+    t37 = t36 * (t10 * t31 + t11 * t32)
+    t38 = t17 * t31 + t19 * t32 + t33 * t37
+    t39 = t38 * t38
+    t40 = t13 * t36
+    t41 = t25 + t33 * t40
+    t42 = (t38 + t38) * t41
+    t43 = t41 * t41
+    t44 = t16 * t32 + t15 * t31
+    t45 = t16 * t31 + t15 * t32 + t44 * (t37 * t37) + t21 * t37
+    t46 = t26 * t31 + t37 * (t40 * (t44 + t44)) + t21 * t40
+    t47 = t26 * t32
+    t48 = t46 + t37 * t47
+    t49 = t44 * (t40 * t40) + t40 * t47
+    t50 = t48 * (t42 + t42) - t49 * (4.0 * t39) - t45 * (4.0 * t43)
+    t51 = t48 * t48 - t49 * (4.0 * t45)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -275,20 +274,20 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     B1[..., 3] = t27
     B1[..., 4] = t28
     B1[..., 5] = t29
-    a[..., 0] = t40
-    a[..., 1] = t43
-    a[..., 2] = t44
-    b[..., 0] = t46
-    b[..., 1] = t49
-    b[..., 2] = t50
-    C[..., 0] = t51
-    D[..., 0] = t52
-    discriminant[..., 0] = t52 + kappa * t51
+    a[..., 0] = t39
+    a[..., 1] = t42
+    a[..., 2] = t43
+    b[..., 0] = t45
+    b[..., 1] = t48
+    b[..., 2] = t49
+    C[..., 0] = t50
+    D[..., 0] = t51
+    discriminant[..., 0] = t51 + kappa * t50
     return A.reshape(_leading + (3,)), B.reshape(_leading + (6,)), B0.reshape(_leading + (6,)), B1.reshape(_leading + (6,)), a.reshape(_leading + (3,)), b.reshape(_leading + (3,)), C.reshape(_leading), D.reshape(_leading), discriminant.reshape(_leading)
 
 
 def speed_ratio_terms_3(q, parameters, tangent, curvature):
-    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 178 operations.
+    """A, B = B0 + kappa B1, a, b, C, D and the discriminant of Ambike's (5) to (9), joint 3 leading: 180 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -359,25 +358,25 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t27 = t13 * t22 + t23 * t26
     t28 = t13 * (t11 + t11) + t26 * (t19 + t19)
     t29 = t13 * t13 + t26 * t26
-    t30 = np.sqrt((1.0 + t2 * t2 + l1 * l1 + l3 * l3))
-    t31 = 1.4210854715202004e-14 * t30
-    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t12, 1.0))
-    t33 = 1.0 - t32
-    t34 = t17 * t33 + t19 * t32
-    t35 = t10 * t33 + t11 * t32
-    t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
-    t37 = t36 / (1.0 - t36 - t35 * t36)
-    t38 = t37 * (t10 * t32 + t11 * t33)
-    t39 = t17 * t32 + t19 * t33 + t34 * t38
+    t30 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t12, 1.0))
+    t31 = 1.0 - t30
+    t32 = t17 * t31 + t19 * t30
+    t33 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + l1 * l1 + l3 * l3))
+    t34 = t10 * t31 + t11 * t30
+    t35 = np.copysign(1.0, 1.4210854715202004e-14 * t30 + t31 * t33 - np.copysign((-t34), 1.0))
+    t36 = 0.5 - 0.5 * t35
+    t37 = t36 / (1.0 - t36 - t34 * t36)
+    t38 = t37 * (t10 * t30 + t11 * t31)
+    t39 = t17 * t30 + t19 * t31 + t32 * t38
     t40 = t39 * t39
     t41 = t13 * t37
-    t42 = t26 + t34 * t41
+    t42 = t26 + t32 * t41
     t43 = (t39 + t39) * t42
     t44 = t42 * t42
-    t45 = t16 * t33
-    t46 = t16 * t32 + t45 * (t38 * t38) + t21 * t38
-    t47 = t25 * t32 + t38 * (t41 * (t45 + t45)) + t21 * t41
-    t48 = t25 * t33
+    t45 = t16 * t31
+    t46 = t16 * t30 + t45 * (t38 * t38) + t21 * t38
+    t47 = t25 * t30 + t38 * (t41 * (t45 + t45)) + t21 * t41
+    t48 = t25 * t31
     t49 = t47 + t38 * t48
     t50 = t15 + t45 * (t41 * t41) + t41 * t48
     t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
@@ -427,7 +426,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 435 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 462 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -470,8 +469,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     l3 = parameters[..., 2]
     kappa = curvature[..., 0]
     leads1 = leading[..., 0]
-    leads2 = leading[..., 1]
     leads3 = leading[..., 2]
+    leads2 = leading[..., 1]
     kappa_s = curvature[..., 1]
 
     # terms
@@ -491,106 +490,117 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t14 = l3 * t13
     t15 = l1 * s1 + t7 * t8 + t14
     t16 = t5 * t11 + t12 * t15
-    t17 = t5 * t8 - t6 * t12
-    t18 = t5 * t10 + t12 * t14
-    t19 = t11 * t12 - t5 * t15
+    t17 = t5 * t10 + t12 * t14
+    t18 = t11 * t12 - t5 * t15
+    t19 = t10 * t12 - t5 * t14
     t20 = t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19
-    t21 = t5 * t6 + t8 * t12
-    t22 = t10 * t12 - t5 * t14
-    t23 = np.sqrt((t20 + t21 * t21 + t22 * t22))
-    t24 = 1.0 + t7 * t7 + l1 * l1 + l3 * l3
-    t25 = t18 * t21 - t17 * t22
-    t26 = t16 * t22 - t18 * t19
-    t27 = t17 * t19 - t16 * t21
-    t28 = np.sqrt((t25 * t25 + t26 * t26 + t27 * t27))
-    t29 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t23 * np.sqrt(t24) - np.copysign(t28, 1.0))
-    t30 = 0.5 - t29
-    t31 = t30 / (1.0 - t30 + t28 * t30)
-    t32 = t27 * t31
-    t33 = t26 * t31
-    t34 = t31 * (t17 * t32 - t18 * t33)
-    t35 = t25 * t31
-    t36 = t21 + t21
-    t37 = t31 * (t18 * t35 - t16 * t32)
-    t38 = t7 * t17
-    t39 = t34 * t34
-    t40 = t5 * s1 - c1 * t12
-    t41 = l1 * t40
-    t42 = t5 * t13 - t9 * t12
-    t43 = l3 * t42
-    t44 = t31 * (t16 * t33 - t17 * t35)
-    t45 = t34 + t44
-    t46 = t34 * t36 * t37 - t38 * t39 - t39 * t41 - t43 * (t45 * t45)
-    t47 = t46 - kappa
-    t48 = t24 * (t23 * (1.4210854715202004e-14 * t31))
-    t49 = t35 * t35
-    t50 = t32 + t35
-    t51 = t33 * (t35 * t36) - t38 * t49 - t41 * t49 - t43 * (t50 * t50)
-    t52 = np.copysign(t51, 1.0)
-    t53 = 0.5 - 0.5 * np.copysign(1.0, t48 - t52)
-    t54 = t39 + t37 * t37 + t44 * t44
-    t55 = np.sqrt(t54)
-    t56 = t48 * (t55 + t55)
-    t57 = t17 + t17
-    t58 = t36 * (t33 * t34 + t35 * t37) - t35 * (t34 * (t7 * t57))
-    t59 = t58 - t35 * (t34 * (l1 * (t40 + t40))) - t50 * (t45 * (l3 * (t42 + t42)))
+    t21 = np.sqrt((t7 * t7 + l1 * l1 + l3 * l3))
+    t22 = t21 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t21, 1.0)))
+    t23 = t22 * t22
+    t24 = 1.4210854715202004e-14 * np.sqrt((t20 + t23))
+    t25 = 1.4142135623730951 * t22
+    t26 = t5 * t6 + t8 * t12
+    t27 = t5 * t8 - t6 * t12
+    t28 = t17 * t26 - t19 * t27
+    t29 = t28 * t28
+    t30 = t18 * t27 - t16 * t26
+    t31 = t30 * t30
+    t32 = t16 * t19 - t17 * t18
+    t33 = t32 * t32
+    t34 = np.sqrt((t29 + t31 + t33 / t23))
+    t35 = 0.5 - 0.5 * np.copysign(1.0, t24 * t25 - np.copysign((t22 * t34), 1.0))
+    t36 = 1.0 - t35
+    t37 = t35 / (t36 + t35 * np.sqrt((t31 + (t29 + t33))))
+    t38 = t30 * t37
+    t39 = t32 * t37
+    t40 = t37 * (t27 * t38 - t17 * t39)
+    t41 = t28 * t37
+    t42 = t26 + t26
+    t43 = t37 * (t17 * t41 - t16 * t38)
+    t44 = t7 * t27
+    t45 = t40 * t40
+    t46 = t5 * s1 - c1 * t12
+    t47 = l1 * t46
+    t48 = t5 * t13 - t9 * t12
+    t49 = l3 * t48
+    t50 = t37 * (t16 * t39 - t27 * t41)
+    t51 = t40 + t50
+    t52 = t40 * t42 * t43 - t44 * t45 - t45 * t47 - t49 * (t51 * t51)
+    t53 = t52 - kappa
+    t54 = t24 * t35 / t22 * (t25 * t25) / (t36 + t34 * t35)
+    t55 = t34 * t37
+    t56 = t54 * (t55 * t55)
+    t57 = t41 * t41
+    t58 = t38 + t41
+    t59 = t39 * (t41 * t42) - t44 * t57 - t47 * t57 - t49 * (t58 * t58)
     t60 = np.copysign(t59, 1.0)
-    t61 = t48 * t54
-    t62 = np.copysign(t47, 1.0)
-    t63 = (t56 + t56) * t60 + t52 * (4.0 * t61) + 4.0 * t48 * t62
-    t64 = t59 * t59 - t51 * (4.0 * t47)
-    t65 = np.maximum(0.0, t64)
-    t66 = t53 * (0.5 - 0.5 * np.copysign(1.0, t63 - np.copysign(t65, 1.0)))
-    t67 = 1.0 - t66
-    t68 = t66 * (-0.5 * t59 - 0.5 * np.copysign(np.sqrt(t65), t59))
-    t69 = 1.0 - t53
-    t70 = 0.5 - 0.5 * np.copysign(1.0, t56 - t60)
-    t71 = t69 * t70
-    t72 = t53 * t59 / (t69 + t51 * (t53 + t53)) + t47 * t71 / (1.0 - t71 + t59 * t71)
-    t73 = t47 * t66 / (t67 + t68) - t67 * t72
-    t74 = t30 * (t34 + t35 * t73)
-    t75 = t30 * (t37 + t33 * t73)
-    t76 = t30 * (t44 + t32 * t73)
-    t77 = t30 * t66
-    t78 = t68 / (t67 + t51 * t66)
-    t79 = t77 * (t34 + t35 * t78)
-    t80 = t77 * (t37 + t33 * t78)
-    t81 = t77 * (t44 + t32 * t78)
-    t82 = t74 * leads1 + t75 * leads2 + t76 * leads3
-    t83 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t74, 1.0), np.copysign(t75, 1.0)), np.copysign(t76, 1.0)) - np.copysign(t82, 1.0)
-    t84 = 0.5 - 0.5 * np.copysign(1.0, t83)
-    t85 = 1.0 - t84
-    t86 = t84 / (t85 + t82 * t84)
-    t87 = t79 * leads1 + t80 * leads2 + t81 * leads3
-    t88 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t79, 1.0), np.copysign(t80, 1.0)), np.copysign(t81, 1.0)) - np.copysign(t87, 1.0)
-    t89 = 0.5 - 0.5 * np.copysign(1.0, t88)
-    t90 = 1.0 - t89
-    t91 = t89 / (t90 + t87 * t89)
-    t92 = t74 * t74
-    t93 = t74 + t76
-    t94 = t93 * t93
-    t95 = t75 * (t36 * t74) - t38 * t92 - t41 * t92 - t43 * t94
-    t96 = t79 * t79
-    t97 = t79 + t81
-    t98 = t97 * t97
-    t99 = t80 * (t36 * t79) - t38 * t96 - t41 * t96 - t43 * t98
-    t100 = t7 * t21
-    t101 = l1 * (t5 * c1 + s1 * t12)
-    t102 = l3 * (t5 * t9 + t12 * t13)
-    t103 = t92 * t100 + t92 * t101 + t94 * t102 + t75 * (t57 * t74)
-    t104 = t74 * t92
-    t105 = -3.0 * t95 * t103 + t100 * t104 + t101 * t104 + t102 * (t93 * t94)
-    t106 = 3.0 * t17
-    t107 = t105 + t92 * (t75 * t106)
-    t108 = t96 * t100 + t96 * t101 + t98 * t102 + t80 * (t57 * t79)
-    t109 = t79 * t96
-    t110 = -3.0 * t99 * t108 + t100 * t109 + t101 * t109 + t102 * (t97 * t98)
-    t111 = t110 + t96 * (t80 * t106)
-    t112 = 0.5 - 0.5 * np.copysign(1.0, t63 - np.copysign(np.maximum(0.0, -t64), 1.0))
-    t113 = t53 * t112
-    t114 = 4.0 + t30 * (t53 * t113 + t69 * (2.0 + t70)) - 4.0 * t30
-    t115 = np.copysign((-(t111 + kappa_s)), 1.0) - np.copysign((-(t107 + kappa_s)), 1.0)
-    t116 = t69 * (1.0 - t70) * (0.5 + 0.5 * np.copysign(1.0, t61 - t62))
+    t61 = 0.5 - 0.5 * np.copysign(1.0, t56 - t60)
+    t62 = t45 + t50 * t50 + t43 * t43 / t23
+    t63 = np.sqrt(t62)
+    t64 = t54 * (t55 * (t63 + t63))
+    t65 = t27 + t27
+    t66 = t42 * (t39 * t40 + t41 * t43) - t41 * (t40 * (t7 * t65))
+    t67 = t66 - t41 * (t40 * (l1 * (t46 + t46))) - t58 * (t51 * (l3 * (t48 + t48)))
+    t68 = np.copysign(t67, 1.0)
+    t69 = t54 * t62
+    t70 = np.copysign(t53, 1.0)
+    t71 = (t64 + t64) * t68 + t60 * (4.0 * t69) + 4.0 * t56 * t70
+    t72 = t67 * t67 - t59 * (4.0 * t53)
+    t73 = np.maximum(0.0, t72)
+    t74 = t61 * (0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(t73, 1.0)))
+    t75 = 1.0 - t74
+    t76 = t74 * (-0.5 * t67 - 0.5 * np.copysign(np.sqrt(t73), t67))
+    t77 = 1.0 - t61
+    t78 = 0.5 - 0.5 * np.copysign(1.0, t64 - t68)
+    t79 = t77 * t78
+    t80 = t61 * t67 / (t77 + t59 * (t61 + t61)) + t53 * t79 / (1.0 - t79 + t67 * t79)
+    t81 = t53 * t74 / (t75 + t76) - t75 * t80
+    t82 = t35 * (t40 + t41 * t81)
+    t83 = t35 * (t43 + t39 * t81)
+    t84 = t35 * (t50 + t38 * t81)
+    t85 = t35 * t74
+    t86 = t76 / (t75 + t59 * t74)
+    t87 = t85 * (t40 + t41 * t86)
+    t88 = t85 * (t43 + t39 * t86)
+    t89 = t85 * (t50 + t38 * t86)
+    t90 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign(t84, 1.0)), np.copysign((t83 / t22), 1.0))
+    t91 = leads1 + leads3 + t22 * leads2
+    t92 = t82 * leads1 + t83 * leads2 + t84 * leads3
+    t93 = 0.5 - 0.5 * np.copysign(1.0, t90 * t91 - np.copysign(t92, 1.0))
+    t94 = 1.0 - t93
+    t95 = t93 / (t94 + t92 * t93)
+    t96 = 1.0 - leads1
+    t97 = 1.0 - leads3
+    t98 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t87, 1.0), np.copysign(t89, 1.0)), np.copysign((t88 / t22), 1.0))
+    t99 = t87 * leads1 + t88 * leads2 + t89 * leads3
+    t100 = 0.5 - 0.5 * np.copysign(1.0, t91 * t98 - np.copysign(t99, 1.0))
+    t101 = 1.0 - t100
+    t102 = t100 / (t101 + t99 * t100)
+    t103 = t82 * t82
+    t104 = t82 + t84
+    t105 = t104 * t104
+    t106 = t83 * (t42 * t82) - t44 * t103 - t47 * t103 - t49 * t105
+    t107 = t87 * t87
+    t108 = t87 + t89
+    t109 = t108 * t108
+    t110 = t88 * (t42 * t87) - t44 * t107 - t47 * t107 - t49 * t109
+    t111 = t7 * t26
+    t112 = l1 * (t5 * c1 + s1 * t12)
+    t113 = l3 * (t5 * t9 + t12 * t13)
+    t114 = t103 * t111 + t103 * t112 + t105 * t113 + t83 * (t65 * t82)
+    t115 = t82 * t103
+    t116 = -3.0 * t106 * t114 + t111 * t115 + t112 * t115 + t113 * (t104 * t105)
+    t117 = 3.0 * t27
+    t118 = t116 + t103 * (t83 * t117)
+    t119 = t107 * t111 + t107 * t112 + t109 * t113 + t88 * (t65 * t87)
+    t120 = t87 * t107
+    t121 = -3.0 * t110 * t119 + t111 * t120 + t112 * t120 + t113 * (t108 * t109)
+    t122 = t121 + t107 * (t88 * t117)
+    t123 = 0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(np.maximum(0.0, -t72), 1.0))
+    t124 = t61 * t123
+    t125 = 4.0 + t35 * (t61 * t124 + t77 * (2.0 + t78)) - 4.0 * t35
+    t126 = np.copysign((-(t122 + kappa_s)), 1.0) - np.copysign((-(t118 + kappa_s)), 1.0)
+    t127 = t77 * (1.0 - t78) * (0.5 + 0.5 * np.copysign(1.0, t69 - t70))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -602,33 +612,33 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     slack = np.empty((*_leading, 1), _real)
     least = np.empty((*_leading, 3), _real)
     null = np.empty((*_leading, 3), _real)
-    rates[..., 0] = t74
-    rates[..., 1] = t75
-    rates[..., 2] = t76
-    rates[..., 3] = t79
-    rates[..., 4] = t80
-    rates[..., 5] = t81
-    ratios[..., 0] = t86 * (t74 + leads1 * (t75 - t74))
-    ratios[..., 1] = t86 * (t76 + leads3 * (t75 - t76))
-    ratios[..., 2] = t91 * (t79 + leads1 * (t80 - t79))
-    ratios[..., 3] = t91 * (t81 + leads3 * (t80 - t81))
-    tracked[..., 0] = t95
-    tracked[..., 1] = t99
-    tracked_rate[..., 0] = -t107
-    tracked_rate[..., 1] = -t111
-    verdict[..., 0] = t114
-    verdict[..., 1] = t30 * (1.0 + t66)
-    verdict[..., 2] = t66 * (0.5 * t30) * (1.0 - np.copysign(1.0, t115))
-    verdict[..., 3] = t30 * (t71 + t53 * (1.0 - t113) + t116)
-    verdict[..., 4] = t77 * t90 + t30 * t85
-    parabola[..., 0] = t51
-    parabola[..., 1] = t59
-    parabola[..., 2] = t46
-    slack[..., 0] = t64
-    least[..., 0] = t34
-    least[..., 1] = t37
-    least[..., 2] = t44
-    null[..., 0] = t35
-    null[..., 1] = t33
-    null[..., 2] = t32
+    rates[..., 0] = t82
+    rates[..., 1] = t83
+    rates[..., 2] = t84
+    rates[..., 3] = t87
+    rates[..., 4] = t88
+    rates[..., 5] = t89
+    ratios[..., 0] = t95 * (t83 * leads1 + t82 * t96)
+    ratios[..., 1] = t95 * (t83 * leads3 + t84 * t97)
+    ratios[..., 2] = t102 * (t88 * leads1 + t87 * t96)
+    ratios[..., 3] = t102 * (t88 * leads3 + t89 * t97)
+    tracked[..., 0] = t106
+    tracked[..., 1] = t110
+    tracked_rate[..., 0] = -t118
+    tracked_rate[..., 1] = -t122
+    verdict[..., 0] = t125
+    verdict[..., 1] = t35 * (1.0 + t74)
+    verdict[..., 2] = t74 * (0.5 * t35) * (1.0 - np.copysign(1.0, t126))
+    verdict[..., 3] = t35 * (t79 + t61 * (1.0 - t124) + t127)
+    verdict[..., 4] = t85 * t101 + t35 * t94
+    parabola[..., 0] = t59
+    parabola[..., 1] = t67
+    parabola[..., 2] = t52
+    slack[..., 0] = t72
+    least[..., 0] = t40
+    least[..., 1] = t43
+    least[..., 2] = t50
+    null[..., 0] = t41
+    null[..., 1] = t39
+    null[..., 2] = t38
     return rates.reshape(_leading + (2, 3)), ratios.reshape(_leading + (2, 2)), tracked.reshape(_leading + (2,)), tracked_rate.reshape(_leading + (2,)), verdict.reshape(_leading + (5,)), parabola.reshape(_leading + (3,)), slack.reshape(_leading), least.reshape(_leading + (3,)), null.reshape(_leading + (3,))

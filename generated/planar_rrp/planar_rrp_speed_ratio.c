@@ -1,6 +1,6 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 173ca0949bbde67682285f34e19af9c3093a918b86a5a14dfa80425de68df8f3.
- * 1001 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs e8145915c5099632e79c5b3b4853f1eb5ee5f54697255446eeaf006574e41fbe.
+ * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrp_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "173ca0949bbde67682285f34e19af9c3093a918b86a5a14dfa80425de68df8f3";
+const char planar_rrp_speed_ratio_digest[] = "e8145915c5099632e79c5b3b4853f1eb5ee5f54697255446eeaf006574e41fbe";
 #endif
 
 #define LANES 64

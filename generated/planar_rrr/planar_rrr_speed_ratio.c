@@ -1,6 +1,6 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs cb5a2a8bb0a8e47c6d5ba75fbf9c24d7ef67c1af37892b8c2470589176924f0d.
- * 997 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs cf73335095b68e276685a293bfd6b313e952f3b0cbae91adf354ca6e961812ab.
+ * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_speed_ratio.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "cb5a2a8bb0a8e47c6d5ba75fbf9c24d7ef67c1af37892b8c2470589176924f0d";
+const char planar_rrr_speed_ratio_digest[] = "cf73335095b68e276685a293bfd6b313e952f3b0cbae91adf354ca6e961812ab";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cb5a2a8bb0a8e47c6d5ba75fbf9c24d7ef67c1af37892b8c2470589176924f0d.
-997 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs cf73335095b68e276685a293bfd6b313e952f3b0cbae91adf354ca6e961812ab.
+999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -437,7 +437,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
 
 
 def speed_ratio_rates(q, parameters, tangent, curvature, leading):
-    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 421 operations.
+    """joint rates along the tangent with the curvature kappa or the nearest possible, with the curvature's rates: 423 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -574,35 +574,37 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t88 = 0.5 - 0.5 * np.copysign(1.0, t87)
     t89 = 1.0 - t88
     t90 = t88 / (t89 + t86 * t88)
-    t91 = t83 * leads1 + t84 * leads2 + t85 * leads3
-    t92 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t83, 1.0), np.copysign(t84, 1.0)), np.copysign(t85, 1.0)) - np.copysign(t91, 1.0)
-    t93 = 0.5 - 0.5 * np.copysign(1.0, t92)
-    t94 = 1.0 - t93
-    t95 = t93 / (t94 + t91 * t93)
-    t96 = t78 * t78
-    t97 = t78 + t79
-    t98 = t97 * t97
-    t99 = t80 + t97
+    t91 = 1.0 - leads1
+    t92 = 1.0 - leads3
+    t93 = t83 * leads1 + t84 * leads2 + t85 * leads3
+    t94 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t83, 1.0), np.copysign(t84, 1.0)), np.copysign(t85, 1.0)) - np.copysign(t93, 1.0)
+    t95 = 0.5 - 0.5 * np.copysign(1.0, t94)
+    t96 = 1.0 - t95
+    t97 = t95 / (t96 + t93 * t95)
+    t98 = t78 * t78
+    t99 = t78 + t79
     t100 = t99 * t99
-    t101 = t41 * t96 + t43 * t98 + t46 * t100
-    t102 = t83 * t83
-    t103 = t83 + t84
-    t104 = t103 * t103
-    t105 = t85 + t103
+    t101 = t80 + t99
+    t102 = t101 * t101
+    t103 = t41 * t98 + t43 * t100 + t46 * t102
+    t104 = t83 * t83
+    t105 = t83 + t84
     t106 = t105 * t105
-    t107 = t41 * t102 + t43 * t104 + t46 * t106
-    t108 = l1 * (t5 * c1 + s1 * t12)
-    t109 = l2 * (t5 * t7 + t8 * t12)
-    t110 = l3 * (t5 * t9 + t12 * t14)
-    t111 = -3.0 * t101 * (t96 * t108 + t98 * t109 + t100 * t110)
-    t112 = t111 - t108 * (t78 * t96) - t109 * (t97 * t98) - t110 * (t99 * t100)
-    t113 = -3.0 * t107 * (t102 * t108 + t104 * t109 + t106 * t110)
-    t114 = t113 - t108 * (t83 * t102) - t109 * (t103 * t104) - t110 * (t105 * t106)
-    t115 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
-    t116 = t51 * t115
-    t117 = 4.0 + t33 * (t51 * t116 + t73 * (2.0 + t72)) - 4.0 * t33
-    t118 = 1.0 - np.copysign(1.0, np.copysign((t114 - kappa_s), 1.0) - np.copysign((t112 - kappa_s), 1.0))
-    t119 = t73 * (1.0 - t72) * (0.5 + 0.5 * np.copysign(1.0, t63 - t66))
+    t107 = t85 + t105
+    t108 = t107 * t107
+    t109 = t41 * t104 + t43 * t106 + t46 * t108
+    t110 = l1 * (t5 * c1 + s1 * t12)
+    t111 = l2 * (t5 * t7 + t8 * t12)
+    t112 = l3 * (t5 * t9 + t12 * t14)
+    t113 = -3.0 * t103 * (t98 * t110 + t100 * t111 + t102 * t112)
+    t114 = t113 - t110 * (t78 * t98) - t111 * (t99 * t100) - t112 * (t101 * t102)
+    t115 = -3.0 * t109 * (t104 * t110 + t106 * t111 + t108 * t112)
+    t116 = t115 - t110 * (t83 * t104) - t111 * (t105 * t106) - t112 * (t107 * t108)
+    t117 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t118 = t51 * t117
+    t119 = 4.0 + t33 * (t51 * t118 + t73 * (2.0 + t72)) - 4.0 * t33
+    t120 = 1.0 - np.copysign(1.0, np.copysign((t116 - kappa_s), 1.0) - np.copysign((t114 - kappa_s), 1.0))
+    t121 = t73 * (1.0 - t72) * (0.5 + 0.5 * np.copysign(1.0, t63 - t66))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -620,19 +622,19 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     rates[..., 3] = t83
     rates[..., 4] = t84
     rates[..., 5] = t85
-    ratios[..., 0] = t90 * (t78 + leads1 * (t79 - t78))
-    ratios[..., 1] = t90 * (t80 + leads3 * (t79 - t80))
-    ratios[..., 2] = t95 * (t83 + leads1 * (t84 - t83))
-    ratios[..., 3] = t95 * (t85 + leads3 * (t84 - t85))
-    tracked[..., 0] = -t101
-    tracked[..., 1] = -t107
-    tracked_rate[..., 0] = t112
-    tracked_rate[..., 1] = t114
-    verdict[..., 0] = t117
+    ratios[..., 0] = t90 * (t79 * leads1 + t78 * t91)
+    ratios[..., 1] = t90 * (t79 * leads3 + t80 * t92)
+    ratios[..., 2] = t97 * (t84 * leads1 + t83 * t91)
+    ratios[..., 3] = t97 * (t84 * leads3 + t85 * t92)
+    tracked[..., 0] = -t103
+    tracked[..., 1] = -t109
+    tracked_rate[..., 0] = t114
+    tracked_rate[..., 1] = t116
+    verdict[..., 0] = t119
     verdict[..., 1] = t33 * (1.0 + t70)
-    verdict[..., 2] = t70 * (0.5 * t33) * t118
-    verdict[..., 3] = t33 * (t74 + t51 * (1.0 - t116) + t119)
-    verdict[..., 4] = t81 * t94 + t33 * t89
+    verdict[..., 2] = t70 * (0.5 * t33) * t120
+    verdict[..., 3] = t33 * (t74 + t51 * (1.0 - t118) + t121)
+    verdict[..., 4] = t81 * t96 + t33 * t89
     parabola[..., 0] = t49
     parabola[..., 1] = t61
     parabola[..., 2] = -t64

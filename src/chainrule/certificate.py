@@ -25,7 +25,7 @@ from chainrule.waves import Square, Waves, spectra, square, unit_of, waves
 Array = NDArray[Any]
 
 #: Work that is done when no budget is given: boxes times waves, and boxes at most.
-WORK, MOST_BOXES = 25_000_000, 200_000
+WORK, MOST_BOXES = 12_000_000, 200_000
 #: More slides than this are not tried at all combinations of their ends.
 MOST_SLIDES = 6
 

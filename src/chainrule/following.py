@@ -779,7 +779,7 @@ def study_paths(
         InputError: one line saying what is wrong; a path that no random arm can hold.
 
     Example:
-        >>> from chainrule.paths import Circle
+        >>> from chainrule import Circle
         >>> study_paths(Circle((0.0, 0.0), 0.3), 20).to_dict()["cases"]
         20
     """

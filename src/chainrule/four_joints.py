@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
-from chainrule.errors import InputError, shown
+from chainrule.errors import InputError
 from chainrule.higher_order import SINGULAR, STILL, leading_joint, path_point
 
 if TYPE_CHECKING:
@@ -158,7 +158,7 @@ def speed_ratios_4(
     Example:
         >>> import chainrule as cr
         >>> arm = cr.planar("RRRR", [1.0, 0.8, 0.6, 0.4])
-        >>> found = speed_ratios_4(arm, [0.2, 0.8, 0.9, -1.2], [0.6, 0.8], 0.3)
+        >>> found = cr.speed_ratios_4(arm, [0.2, 0.8, 0.9, -1.2], [0.6, 0.8], 0.3)
         >>> found.status, found.count, found.certified
         ('exact', 4, True)
         >>> found.path[found.chosen][:3].round(9)   # speed, curvature, dk/ds
@@ -180,7 +180,7 @@ def speed_ratios_4_each(
     Example:
         >>> import chainrule as cr
         >>> arm = cr.planar("RRRR", [1.0, 0.8, 0.6, 0.4])
-        >>> [f.count for f in speed_ratios_4_each(arm, [0.2, 0.8, 0.9, -1.2], [0.6, 0.8], [0.0, 0.3, 2.0])]
+        >>> [f.count for f in cr.speed_ratios_4_each(arm, [0.2, 0.8, 0.9, -1.2], [0.6, 0.8], [0.0, 0.3, 2.0])]
         [6, 4, 2]
     """
     if isinstance(arm, Arm) and arm.n != 4:

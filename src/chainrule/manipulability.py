@@ -335,9 +335,9 @@ def manipulability_map(
 
     Example:
         >>> from chainrule import planar_3r
-        >>> found = manipulability_map(planar_3r(1.0, 0.5, 0.25), "pose", q=[0.0, 0.0, 0.0], size=31)
-        >>> found.joints, found.H.shape, round(found.maximum.value, 9)      # |det J| = l1 l2 |sin q2|
-        ((1, 2), (31, 31), 0.5)
+        >>> found = manipulability_map(planar_3r(1.0, 0.5, 0.25), q=[0.0, 0.0, 0.0], size=31)
+        >>> found.joints, found.H.shape, round(found.maximum.value, 9)
+        ((1, 2), (31, 31), 0.795537084)
     """
     task, size = checked_task(arm, task), whole_number(size, "size", 2)
     if q is None:

@@ -35,6 +35,10 @@ FULL: tuple[Interval, ...] = ((-math.pi, math.pi),)
 #: Angles closer than this count as the same, rad; also how far beyond a limit still counts as at it (times the size).
 SAME = 1e-9
 
+#: Relative to the size: a posture this near to a stretched or folded one counts as that, because the angles of one
+#: differ from those of the other by the root of it.
+TOUCH = 1e-14
+
 #: More limited moving joints than this are refused where orientations need every combination of limits.
 MOST = 9
 
@@ -91,9 +95,9 @@ def circle_in(region: Region, radius: float, size: float = 0.0) -> tuple[Interva
         return FULL if bool(region.contains(np.zeros(1, dtype=complex), slack)[0]) else ()
     p = region._all
     meets = [at[valid] for at, valid in circle_meets(p, np.array(radius), slack)]
-    # an arc along the circle meets it everywhere: its ends stand for it
-    along = p[p.arc & (np.abs(p.centre) <= slack) & (np.abs(p.radius - radius) <= slack)]
-    found = np.unique(np.angle(np.concatenate([*meets, along.start, along.end])))
+    # ends on the circle stand for arcs along it, and for tangent ones that end just before they touch it
+    meets += [ends[np.abs(np.abs(ends) - radius) <= slack] for ends in (p.start, p.end)]
+    found = np.unique(np.angle(np.concatenate(meets)))
     angles = [a for k, a in enumerate(found.tolist()) if k == 0 or a - found[k - 1] > SAME]
     if not angles:
         return FULL if bool(region.contains(np.array([radius + 0j]), slack)[0]) else ()
@@ -183,7 +187,7 @@ class Everywhere:
         self.chain = whole
         self.region = reached(whole) if self.wrist >= TURN - SAME else None
         self.ends = _ends(whole) if len(whole.joints) >= 2 else None
-        self.between = _between(whole, _sample(whole)) if len(whole.joints) >= 2 else None
+        self.between = _between(whole) if len(whole.joints) >= 2 else None
 
     def __call__(self, z: Array) -> Array:
         """The answer for points (k,)."""
@@ -238,21 +242,7 @@ def _ends(whole: Chain) -> Pairs:
     return Pairs(rows, whole.size, len(rows) + 1)
 
 
-def _sample(whole: Chain) -> tuple[Array, Array]:
-    """Some poses (k,) that are reached: points and angles."""
-    rng = np.random.default_rng(0)
-    turned, z = np.zeros(256), np.zeros(256, dtype=complex)
-    for joint, (rotation, shift) in zip((None, *whole.joints), whole.links, strict=True):
-        value = 0.0 if joint is None else rng.uniform(joint.lower, joint.upper, len(z))
-        if joint is not None and joint.kind == "R":
-            turned = turned + value
-        else:
-            z = z + value * np.exp(1j * turned)
-        z, turned = z + shift * np.exp(1j * turned), turned + cmath.phase(rotation)
-    return z, turned
-
-
-def _between(whole: Chain, poses: tuple[Array, Array] | None = None) -> Triples:
+def _between(whole: Chain) -> Triples:
     """Combinations of which one reaches any pose that can be reached: three joints move.
 
     Suppose a pose is reached. Lower the last joint's value as far as the others can make up for it: it ends at its
@@ -275,23 +265,7 @@ def _between(whole: Chain, poses: tuple[Array, Array] | None = None) -> Triples:
                     for middle in _locked(whole, j + 1, k, whole.links[j + 1])
                 ]
         tail = then(then(whole.links[k], whole.joints[k].at(whole.joints[k].lower)), tail)
-    if poses is not None and len(rows) > BLOCK // 4:
-        rows = _useful_first(rows, whole.size, *poses)
     return Triples(rows, whole.size, BLOCK)
-
-
-def _useful_first(rows: list[Row], size: float, z: Array, angle: Array) -> list[Row]:
-    """The rows in the order of how many of some poses (k,) they reach that those before them do not."""
-    reach = np.array([Triples([row], size, 1).reached(z, angle) for row in rows])
-    left, order = np.ones(len(z), dtype=bool), np.arange(len(rows))
-    for k in range(len(rows)):
-        gain = (reach[order[k:]] & left).sum(axis=1)
-        if not gain.any():
-            break
-        best = k + int(gain.argmax())
-        order[[k, best]] = order[[best, k]]
-        left &= ~reach[order[k]]
-    return [rows[k] for k in order]
 
 
 def _check(whole: Chain) -> None:
@@ -399,10 +373,8 @@ class Combinations:
         words = ["".join(joint.kind for joint in joints) for joints, _ in rows]
         for kinds in dict.fromkeys(words):
             same = [row for row, word in zip(rows, words, strict=True) if word == kinds]
-            # the first few alone: if they come in a good order, most poses need no others
-            starts = sorted({0, block // 4, *range(block, len(same), block)} & set(range(len(same))))
-            for start, stop in pairwise([*starts, len(same)]):
-                joints, moves = zip(*same[start:stop], strict=True)
+            for start in range(0, len(same), block):
+                joints, moves = zip(*same[start : start + block], strict=True)
                 limits = [np.array([[(j.lower, j.upper)] for j in column]) for column in zip(*joints, strict=True)]
                 self.groups.append((kinds, limits, [np.array(m)[:, None] for m in zip(*moves, strict=True)]))
 
@@ -463,9 +435,17 @@ def _within(kind: str, value: Array, lower: Array, upper: Array, size: float) ->
     return inside
 
 
+def _half_chord(radius: Array, away: Array, size: float) -> tuple[Array, Array]:
+    """Half of what a circle cuts from a line at a distance from its centre, and whether they meet; 0 where they touch."""
+    gap = radius - np.abs(away)
+    half = np.where(gap <= TOUCH * size, 0.0, np.sqrt(np.maximum(gap, 0.0) * (radius + np.abs(away))))
+    return half, gap >= -1e-11 * size
+
+
 def _two(kinds: str, w: Array, bridge: Array, d: Array, size: float) -> Iterator[tuple[Array, Array, Array]]:
     """Joint values with J1 (b + beta J2 d) = w, and whether they exist; two solutions."""
     beta, b = bridge[..., 0], bridge[..., 1]
+    touch = TOUCH * size
     with np.errstate(divide="ignore", invalid="ignore"):
         if kinds == "RR":
             links, away = (np.abs(b), np.abs(d)), np.abs(w)
@@ -473,6 +453,7 @@ def _two(kinds: str, w: Array, bridge: Array, d: Array, size: float) -> Iterator
             near, far = np.abs(links[0] - links[1]), links[0] + links[1]
             exists = (away >= near - 1e-11 * size) & (away <= far + 1e-11 * size) & (away > 1e-12 * size)
             exists &= np.minimum(*links) > 1e-12 * size
+            across = np.where((np.abs(away - near) <= touch) | (np.abs(away - far) <= touch), 0.0, across)
             at, turned = np.angle(w * b.conj()), np.angle(b * (beta * d).conj())
             for sign in (-1.0, 1.0):
                 bend = sign * np.arctan2(across, along)
@@ -480,18 +461,16 @@ def _two(kinds: str, w: Array, bridge: Array, d: Array, size: float) -> Iterator
         elif kinds == "RP":
             base = b + beta * d
             along = (base.conj() * beta).real
-            root = along**2 - np.abs(base) ** 2 + np.abs(w) ** 2
-            exists = root >= -1e-11 * size**2
+            half, exists = _half_chord(np.abs(w), (base.conj() * beta).imag, size)
             for sign in (-1.0, 1.0):
-                slide = -along + sign * np.sqrt(np.maximum(root, 0.0))
+                slide = -along + sign * half
                 yield np.angle(w * (base + beta * slide).conj()), slide, exists
         elif kinds == "PR":
-            sine = (w - b).imag / np.abs(d)
-            exists = np.abs(sine) <= 1.0 + 1e-11
+            across = (w - b).imag
+            half, exists = _half_chord(np.abs(d), across, size)
             for sign in (-1.0, 1.0):
-                up = np.arcsin(np.clip(sine, -1.0, 1.0))
-                angle = up if sign > 0 else math.pi - up
-                yield (w - b).real - np.abs(d) * np.cos(angle), angle - np.angle(beta * d), exists
+                angle = np.arctan2(across, sign * half)
+                yield (w - b).real - sign * half, angle - np.angle(beta * d), exists
         else:
             rest = w - b - beta * d
             second = rest.imag / beta.imag
@@ -515,11 +494,12 @@ def _three(
         if kinds == "RRP":
             u = tau - g * gamma.conj() * c
             along = (g.conj() * u).real
-            root = along**2 - np.abs(u) ** 2 + np.abs(b) ** 2
+            half, exists = _half_chord(np.abs(b), (g.conj() * u).imag, size)
+            exists &= np.abs(b) > 1e-12 * size
             for sign in (-1.0, 1.0):
-                slide = along + sign * np.sqrt(np.maximum(root, 0.0))
+                slide = along + sign * half
                 first = np.angle((u - g * slide) * b.conj())
-                yield (first, turned - first, slide), (root >= -1e-22 * size**2) & (np.abs(b) > 1e-12 * size)
+                yield (first, turned - first, slide), exists
         elif kinds == "RPP":
             rest = beta.conj() * (np.exp(-1j * turned) * tau - b) - c
             last = rest.imag / gamma.imag

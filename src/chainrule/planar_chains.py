@@ -102,10 +102,6 @@ def chain(arm: Description) -> Chain:
     size = math.fsum(abs(length) for length in geometry.lengths) + math.fsum(
         max(map(abs, joint.position)) for joint in arm.joints if joint.kind == "P" and joint.position is not None
     )
-    if size > 0.0 and not SMALLEST <= size <= LARGEST:
-        raise InputError(
-            f"{arm.name}: its lengths and strokes add up to {size:g} m; {SMALLEST:g} to {LARGEST:g} m are accepted"
-        )
     for i, kind in enumerate(arm.kinds):
         lower, upper = arm.joints[i].position or (-math.inf, math.inf)
         if kind == "P":
@@ -129,6 +125,10 @@ def chain(arm: Description) -> Chain:
         else:
             links[-1] = then(links[-1], joint.at(values[i]))
         links[-1] = then(links[-1], (1.0 + 0j, complex(geometry.lengths[i])))
+    if size > 0.0 and not SMALLEST <= size <= LARGEST:
+        raise InputError(
+            f"{arm.name}: its lengths and strokes add up to {size:g} m; {SMALLEST:g} to {LARGEST:g} m are accepted"
+        )
     links[1:] = [(rotation, shift if abs(shift) > TINY * size else 0j) for rotation, shift in links[1:]]
     return Chain(tuple(joints), tuple(links), tuple(values), size)
 

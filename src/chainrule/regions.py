@@ -36,6 +36,10 @@ TURN = 2.0 * math.pi
 CONTACT, CORNER = 1e-13, 1e-12
 
 
+#: Numbers in the largest arrays when many points are asked about at once.
+CHUNK = 2_000_000
+
+
 @dataclass(frozen=True)
 class Arc:
     """Part of a circle, from the angle ``start`` through ``turn`` rad (counter-clockwise where positive).
@@ -314,7 +318,7 @@ def _halves(piece: Piece) -> list[Piece]:
 
 def _chunked(function: Callable[[Array], Array], z: Array, width: int, kind: type) -> Array:
     """A function of points (k,), a bounded number at a time, so that memory stays small."""
-    step = max(1, 2_000_000 // max(width, 1))
+    step = max(1, CHUNK // max(width, 1))
     if len(z) <= step:
         return function(z)
     return np.concatenate([function(z[i : i + step]) for i in range(0, len(z), step)]).astype(kind)

@@ -354,20 +354,29 @@ def _fastest(path: JointPath, velocity: Array, acceleration: Array) -> TimeScali
         return _still("toppra", path)
     total = path.breaks[-1] - path.breaks[0]
     grid = np.concatenate([*(_grid(a, b, total) for a, b in pairwise(path.breaks)), path.breaks[-1:]])
-    limited = np.isfinite(velocity)
-    # TOPP-RA takes finite limits only: a joint without one gets one it cannot reach on this path
+    # in units in which the path is 1 long, its largest slope is 1 and so is the least acceleration limit:
+    # TOPP-RA's tolerances are absolute numbers
     slopes = np.abs(path.at(grid, 1)).max(axis=0)
-    beyond = 10.0 * (np.sqrt(acceleration * slopes * total) + slopes)
-    bound = np.where(limited, velocity, np.maximum(beyond, 1e-6))
+    least = float(acceleration.min())
+    size = total * float(slopes.max())
+    beat = np.sqrt(size / least)  # the unit of time
+    pushes = acceleration / least
+    # it takes finite velocity limits only: no joint needs one that it cannot reach on this path
+    beyond = 10.0 * (np.sqrt(pushes * slopes / slopes.max()) + slopes / slopes.max())
+    bound = np.minimum(velocity * beat / size, np.maximum(beyond, 1e-6))
     constraints = [
         toppra.constraint.JointVelocityConstraint(np.stack([-bound, bound], axis=1)),
-        toppra.constraint.JointAccelerationConstraint(np.stack([-acceleration, acceleration], axis=1)),
+        toppra.constraint.JointAccelerationConstraint(np.stack([-pushes, pushes], axis=1)),
     ]
     _, speeds, *_ = toppra.algorithm.TOPPRA(
-        constraints, _adapter(path), gridpoints=grid, parametrizer="ParametrizeConstAccel"
+        constraints,
+        _adapter(path, total, size),
+        gridpoints=(grid - path.breaks[0]) / total,
+        parametrizer="ParametrizeConstAccel",
     ).compute_parameterization(0.0, 0.0)
     if speeds is None or not np.isfinite(speeds).all():
         raise GenerationError("TOPP-RA found no timing for this path: its grid is too coarse for it")
+    speeds = speeds * total / beat
     steps = 2.0 * np.diff(grid) / (speeds[:-1] + speeds[1:])
     rates = np.diff(speeds**2) / (2.0 * np.diff(grid))
     found = TimeScaling(
@@ -413,18 +422,19 @@ def _passing(grid: Array, speeds: Array, times: Array, marks: Array) -> Array:
     return found
 
 
-def _adapter(path: JointPath) -> Any:
-    """The path as TOPP-RA wants it."""
+def _adapter(path: JointPath, total: float, size: float) -> Any:
+    """The path as TOPP-RA wants it, over s / total from 0 to 1 and with joint values in units of ``size``."""
     from toppra.interpolator import AbstractGeometricPath  # type: ignore[import-untyped,unused-ignore]
 
     class Adapter(AbstractGeometricPath):  # type: ignore[misc]
         """Values and derivatives of a joint path."""
 
         dof = path.n
-        path_interval = np.array([path.breaks[0], path.breaks[-1]])
+        path_interval = np.array([0.0, 1.0])
 
         def __call__(self, path_positions: Any, order: int = 0) -> Array:
             """Q or its derivative."""
-            return path.at(path_positions, order)
+            s = path.breaks[0] + total * np.asarray(path_positions, float)
+            return path.at(s, order) * (total**order / size)
 
     return Adapter()

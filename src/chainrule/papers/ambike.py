@@ -78,7 +78,12 @@ def _first(found: SpeedRatios) -> list[Row]:
     made += _changes(found)
     made.append(
         shown_answer(
-            FIRST, "the chosen solution", "the second", found.chosen == 1, f"{HOW[FIRST]}.chosen", found.reason
+            FIRST,
+            "the chosen solution",
+            "the second",
+            found.chosen == 1,
+            f"{HOW[FIRST]}.chosen",
+            found.reason.rstrip("."),
         )
     )
     made += _pseudoinverse(FIRST, ("2.9052", "6.3343"), found)
@@ -143,7 +148,7 @@ def _tangent(where: str, printed: str, found: SpeedRatios, meant: str) -> Row:
         where,
         "tangent",
         printed,
-        ", ".join(f"{x:.7f}" for x in found.tangent),
+        "[" + ", ".join(f"{x:.7f}" for x in found.tangent) + "]",
         float(np.abs(found.tangent - digits).max()),
         "refined" if same else "DISAGREES",
         f"{HOW[where]}.tangent",

@@ -24,10 +24,6 @@ ARMS = 200
 
 def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
     """What the paper says of four joints and of second-order coordination, and what can be had.
-
-    Example:
-        >>> all(row.good for row in rows())
-        True
     """
     progress("four joints: the sextic, by SymPy")
     found = [_sextic(), _twelve()]
@@ -117,6 +113,12 @@ def _all_solutions() -> list[Row]:
 
 
 def _two_joints() -> Row:
+    """Second-order coordination of two joints at random configurations.
+
+    Example:
+        >>> _two_joints().verdict
+        'agrees'
+    """
     rng = np.random.default_rng(1)
     q = rng.uniform([-3.0, 0.3], [3.0, 2.8], (1000, 2))
     curvature = rng.normal(size=1000)

@@ -183,10 +183,10 @@ def following_finding(runs: Sequence[Followed]) -> str:
     within = f"Within {_millimetres(best.tolerance)}"
     if len(done) == 1 or best.updates == worst.updates:
         return f"{within} of the path: {best.updates} updates by {NAMES[best.method]}"
-    marks = (" (small)", " (large dots)") if best is runs[-1] and worst is runs[0] else ("", "")
+    drawn = f" (large dots; small: {NAMES[best.method]})" if best is runs[-1] and worst is runs[0] else ""
     return (
-        f"{within} of the path: {best.updates} updates by {NAMES[best.method]}{marks[0]},\n"
-        f"{worst.updates} by {NAMES[worst.method]}{marks[1]}"
+        f"{within} of the path: {best.updates} updates by {NAMES[best.method]},\n"
+        f"{worst.updates} by {NAMES[worst.method]}{drawn}"
     )
 
 

@@ -110,7 +110,7 @@ def _four_joint_finding(found: FourJointRatios) -> str:
     if found.status == "exact":
         six = found.count + found.complex_count
         rest = f"{found.complex_count} of the {six} are complex" if found.complex_count else "all that exist are real"
-        many = "one joint motion meets" if found.count == 1 else f"{found.count} joint motions meet"
+        many = "One joint motion meets" if found.count == 1 else f"{found.count} joint motions meet"
         return f"{many} tangent, curvature and its rate;\n{rest}"
     return f"No joint motion meets tangent, curvature and its rate:\n{found.status}"
 
@@ -123,15 +123,16 @@ def draw_timings(moves: dict[str, TimeScaling], velocity: Any, acceleration: Any
         panels: Any = np.atleast_1d(drawing.subplots(len(moves), 1, sharex=True))
         for axes, (label, move) in zip(panels, moves.items(), strict=True):
             _timing(axes, move, velocity, acceleration)
-            axes.set_xlim(0.0, longest)
+            axes.set_xlim(0.0, longest or 1.0)
             axes.text(0.995, 1.03, f"{label}: {move.duration:.3g} s", transform=axes.transAxes, ha="right")
         panels[-1].set_xlabel("time [s]")
         drawing.supylabel("share of the limit", color=COLOURS["muted"], fontsize=10.0)
         lines, labels = panels[0].get_legend_handles_labels()
         drawing.legend(lines, labels, loc="outside lower center", ncols=2, frameon=False)
         names = sorted(moves, key=lambda name: moves[name].duration)
-        saved = 1.0 - moves[names[0]].duration / longest
-        drawing.suptitle(f"{names[0]} is done {100 * saved:.0f} % sooner", x=0.02, ha="left", fontsize=10.0)
+        saved = 1.0 - moves[names[0]].duration / longest if longest > 0.0 else 0.0
+        finding = f"{names[0]} is done {100 * saved:.0f} % sooner" if saved > 0.0 else f"all take {longest:.3g} s"
+        drawing.suptitle(finding, x=0.02, ha="left", fontsize=10.0)
     return drawing
 
 

@@ -96,10 +96,11 @@ def _edges(axes: Axes, found: Workspace) -> list[tuple[Any, str]]:
     kinds: dict[tuple[str, ...], list[Piece]] = {}
     for piece in found.region.pieces:
         kinds.setdefault(found.joints(piece), []).append(piece)
-    centre, size = _middle(found.region)
+    size = _extent(found.region)
     entries: list[tuple[Any, str]] = []
     lettered = 1 < len(kinds) <= len(LETTERS)
     moving_seen = set()
+    taken: list[complex] = []
     for letter, (states, pieces) in zip(
         [*LETTERS[: len(kinds)], *[""] * max(0, len(kinds) - len(LETTERS))], kinds.items(), strict=True
     ):
@@ -110,7 +111,7 @@ def _edges(axes: Axes, found: Workspace) -> list[tuple[Any, str]]:
             axes.plot(z.real, z.imag, color=colour, ls=dashes, lw=2.0, zorder=2.0, solid_capstyle="round")
         if lettered:
             longest = max(pieces, key=lambda piece: piece.length)
-            _letter(axes, letter, longest, centre, size, colour)
+            _letter(axes, letter, longest, size, colour, taken)
             entries.append((Line2D([], [], color=colour, ls=dashes, lw=2.0), f"{letter}  {states_in_words(states)}"))
         elif len(kinds) == 1:
             entries.append((Line2D([], [], color=colour, ls=dashes, lw=2.0), states_in_words(states)))
@@ -120,19 +121,29 @@ def _edges(axes: Axes, found: Workspace) -> list[tuple[Any, str]]:
     return entries
 
 
-def _middle(region: Region) -> tuple[complex, float]:
+def _extent(region: Region) -> float:
+    """The larger side of the box around a region."""
     z = np.concatenate([outline(piece) for piece in region.pieces])
-    low, high = complex(z.real.min(), z.imag.min()), complex(z.real.max(), z.imag.max())
-    return 0.5 * (low + high), max((high - low).real, (high - low).imag, 1e-9)
+    return max(float(np.ptp(z.real)), float(np.ptp(z.imag)), 1e-9)
 
 
-def _letter(axes: Axes, letter: str, piece: Piece, centre: complex, size: float, colour: str) -> None:
-    """The letter of an edge on its outer side, or inside where the edge bounds a hole."""
-    t = 0.5
+def _letter(axes: Axes, letter: str, piece: Piece, size: float, colour: str, taken: list[complex]) -> None:
+    """The letter of an edge on its outer side, or inside where the edge bounds a hole; clear of the ones ``taken``."""
+    shares = [0.5, 0.35, 0.65, 0.2, 0.8]
     if isinstance(piece, Arc) and abs(piece.turn) > 6.2:  # a whole circle: where the arm is least likely to be
-        t = ((math.radians(-60.0) - piece.start) / piece.turn) % 1.0
-    outwards = -1j * piece.tangent(t)  # the inside is on the left
-    at = piece.point(t) + 0.035 * size * outwards
+        shares = [((math.radians(-60.0) - piece.start) / piece.turn) % 1.0, *shares]
+    # the inside is on the left; further away, a line leads to the edge
+    places = [
+        (piece.point(t), piece.point(t) - away * size * 1j * piece.tangent(t))
+        for away in (0.035, -0.035, 0.075, -0.075, 0.115, -0.115, 0.155)
+        for t in shares
+    ]
+    gaps = [min((abs(at - other) for other in taken), default=size) for _, at in places]
+    k = next((k for k, gap in enumerate(gaps) if gap >= 0.05 * size), int(np.argmax(gaps)))
+    foot, at = places[k]
+    taken.append(at)
+    if abs(at - foot) > 0.05 * size:
+        axes.plot([foot.real, at.real], [foot.imag, at.imag], color=colour, lw=0.6, zorder=5)
     patch = {"boxstyle": "circle,pad=0.12", "fc": COLOURS["paper"], "ec": "none", "alpha": 0.8}
     look: dict[str, Any] = {"ha": "center", "va": "center", "fontsize": 8.5, "weight": "bold"}
     axes.text(at.real, at.imag, letter, color=colour, zorder=6, bbox=patch, **look)
@@ -168,7 +179,7 @@ def _arm(axes: Axes, arm: Arm, q: Any, size: float) -> None:
 
 def _fan(axes: Axes, found: Workspace, z: complex) -> None:
     """The orientations at a point as a fan of headings."""
-    radius = 0.12 * _middle(found.region)[1]
+    radius = 0.12 * _extent(found.region)
     accent = COLOURS["accent"]
     for low, high in found.orientations(z.real, z.imag):
         if high - low > 1e-7:
@@ -185,7 +196,7 @@ def _frame(axes: Axes, found: Workspace, at: Sequence[float] | None) -> None:
     z = np.concatenate([np.zeros(1), *(outline(piece) for piece in found.region.pieces)])
     if at is not None:
         z = np.append(z, complex(*at))
-    margin = 0.09 * _middle(found.region)[1]
+    margin = 0.09 * _extent(found.region)
     axes.set_aspect("equal")
     axes.set_xlim(z.real.min() - margin, z.real.max() + margin)
     axes.set_ylim(z.imag.min() - margin, z.imag.max() + margin)
@@ -204,7 +215,7 @@ def _legend(drawing: Figure, axes: Axes, entries: list[tuple[Any, str]], found: 
     rows = math.ceil(len(everything) / columns)
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
     height = 0.88 * WIDTH * (high - low) / (right - left) + 0.65 + 0.17 * lines + 0.19 * rows
-    drawing.set_size_inches(WIDTH, min(max(height, 0.7 * WIDTH), 2.0 * WIDTH))
+    drawing.set_size_inches(WIDTH, min(max(height, 0.7 * WIDTH), 3.0 * WIDTH))
     drawing.legend(
         [handle for handle, _ in everything],
         [text for _, text in everything],

@@ -52,6 +52,8 @@ def read_path(path: str | os.PathLike[str]) -> Path:
     Raises:
         DescriptionError: one line with the file and the key or row that is wrong, and what is accepted.
     """
+    if not isinstance(path, str | os.PathLike):
+        raise DescriptionError(f"a path is read from a .toml or .csv file, not from {shown(path)}")
     with located(path):
         suffix = os.path.splitext(os.fspath(path))[1].lower()
         if suffix not in (".toml", ".csv"):
