@@ -303,7 +303,7 @@ def test_the_claim_over_many_arms() -> None:
 
 
 def test_a_study_is_the_same_for_the_same_seed() -> None:
-    one, two, other = (study(50, 0.01, seed=seed) for seed in (4, 4, 5))
+    one, two, other = (study(20, 0.01, seed=seed) for seed in (4, 4, 5))
     assert np.array_equal(one.comparison.travel, two.comparison.travel)
     assert not np.array_equal(one.comparison.travel, other.comparison.travel)
     assert one.quantiles("speed_ratio").shape == (5,)
@@ -446,11 +446,11 @@ def test_size_does_not_matter(size: float) -> None:
 
 def test_a_motion_that_follows_exactly() -> None:
     """The first joint alone turns the tip about the base: no update is needed, however small the tolerance."""
-    found = follow(ARM, Circle((0.0, 0.0), 1.3), 1e-4, method="speed_ratio")
+    found = follow(ARM, Circle((0.0, 0.0), 1.3), 1e-3, method="speed_ratio")
     assert found.status == "finished" and found.updates == 0 and found.worst < 1e-12
     assert np.abs(found.rates[0]) == pytest.approx([1.0 / 1.3, 0.0, 0.0], abs=1e-9)
     rail = cr.planar("PPP", [0.5, 0.3, 0.4], [0.0, 1.4, -0.3])
-    straight = follow(rail, Line((0.0, 0.0), (3.0, 1.0)), 1e-4)
+    straight = follow(rail, Line((0.0, 0.0), (3.0, 1.0)), 1e-3)
     assert straight.status == "finished" and straight.updates == 0
 
 
@@ -530,7 +530,10 @@ def test_figures_state_their_findings() -> None:
     assert sum(label.startswith("centre") for label in labels) == 3
     path = PATHS["circle"]()
     runs = [follow(ARM, path, 0.01, method=method) for method in METHODS]
-    title = draw_following(ARM, path, runs).axes[0].get_title(loc="left")
+    drawing = draw_following(ARM, path, runs)
+    drawing.draw_without_rendering()
+    assert all(axes.get_tightbbox().x1 <= drawing.bbox.x1 for axes in drawing.axes)  # no title is cut off
+    title = drawing.axes[0].get_title(loc="left")
     assert str(min(r.updates for r in runs)) in title and str(max(r.updates for r in runs)) in title
     drawn = draw_study([study(40, e) for e in (0.025, 0.005)])
     assert len(drawn.axes[0].get_lines()) == 4  # the line at 1, two tolerances, looking ahead
@@ -559,13 +562,13 @@ def test_command(capsys: pytest.CaptureFixture[str], tmp_path: File) -> None:
     [
         (["--circle", "9,0,0.2", "--tolerance", "0.01", "--method", "two_term"], 1, "no posture"),
         (["--circle", "1,0.2,0.2", "--tolerance", "0"], 2, "a positive"),
-        (["--circle", "1,0.2", "--tolerance", "0.01"], 2, "3 are accepted"),
+        (["--circle", "1,0.2", "--tolerance", "0.01"], 2, "has 3 joints"),
         (["--tolerance", "0.01"], 2, "one of --path"),
         (["--circle", "1,0,1", "--line", "1,0,1,1", "--tolerance", "0.01"], 2, "only one"),
         (["--ellipse", "1,0,1", "--tolerance", "0.01"], 2, "4 or 5"),
         (["--path", "none.toml", "--tolerance", "0.01"], 2, "no such file"),
         (["--circle", "1,0.2,0.2", "--tolerance", "0.01", "--method", "x"], 2, "look_ahead"),
-        (["--circle", "1,0.2,0.2", "--tolerance", "0.01", "--q", "0,0"], 2, "3 are accepted"),
+        (["--circle", "1,0.2,0.2", "--tolerance", "0.01", "--q", "0,0"], 2, "has 3 joints"),
         (["--line", "1,0.2,1.2,0.2", "--tolerance", "0.01", "--q", "90,0,0", "--deg"], 2, "farther than"),
     ],
 )

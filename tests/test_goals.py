@@ -364,7 +364,7 @@ def test_the_command_says_no_to_a_pose_out_of_reach(call):
     [
         (("planar_3r", "--from", "0,0,0"), "one of --to and --pose"),
         (("planar_3r", "--from", "0,0,0", "--to", "0,0,0", "--pose", "1,1,1"), "one of --to and --pose"),
-        (("planar_3r", "--from", "0,0", "--to", "0,0,0"), "--from: 2 numbers given; 3 are accepted"),
+        (("planar_3r", "--from", "0,0", "--to", "0,0,0"), "--from: 2 numbers given; planar_3r has 3 joints"),
         (("planar_3r", "--from", "0,0,0", "--to", "0,x,0"), "--to, entry 2"),
         (("planar_3r", "--from", "0,0,0", "--to", "0,1,0", "--synchronise", "x"), "'none', 'time' or 'phase'"),
         (("puma560", "--from", "0 0 0 0 0 0", "--to", "1 0 0 0 0 0"), "has no velocity limit for joint1"),

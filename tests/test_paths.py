@@ -149,7 +149,7 @@ def test_frame_is_consistent(path: Path) -> None:
 
 
 def test_nearest_against_brute_force(path: Path) -> None:
-    points = np.random.default_rng(2).uniform(-0.6, 1.4, (200, 2))
+    points = np.random.default_rng(2).uniform(-0.6, 1.4, (120, 2))
     found = path.nearest(points)
     s = np.linspace(0.0, path.length, 4_001)
     brute = np.linalg.norm(points[:, None] - path.point(s), axis=2).min(axis=1)

@@ -402,12 +402,14 @@ def test_an_arm_of_any_size_has_the_same_solutions(kinds, scale):
     arm, q, tangent, wanted = random_arms(kinds, 300, seed=19)
     other = moved(arm, lengths=[scale * size for size in arm.description.geometry.lengths])
     units = np.where(mask(arm), 1.0, scale)  # of q; rates are these for each metre of path, and the path is scaled too
-    one = speed_ratios(arm, q, tangent, wanted)
     for leading in (1, 2, 3):
+        one = speed_ratios(arm, q, tangent, wanted, leading=leading)
         found = speed_ratios(other, q * units, tangent, wanted / scale, leading=leading)
         np.testing.assert_array_equal(found.status, one.status)
         np.testing.assert_array_equal(found.count, one.count)
-        assert (found.leading == leading).all()
+        led = found.leading == leading  # PPR goes straight where its last joint stands still
+        np.testing.assert_array_equal(led, one.leading == leading)
+        assert led.all() or kinds in ("PPR", "PPP")
         # which solution is nearer to J^+ T depends on the units, which two there are does not
         rates, size = found.rates * scale / units, np.nanmax(np.abs(one.rates), axis=(1, 2))
         gaps = [np.abs(rates - one.rates[:, order]).max(axis=(1, 2)) / size**2 for order in ([0, 1], [1, 0])]
@@ -419,8 +421,9 @@ def test_an_arm_of_any_size_has_the_same_solutions(kinds, scale):
         assert (np.minimum(*gaps) * np.minimum(apart, 1.0))[both].max(initial=0.0) < 1e-10
         assert kinds == "PPP" or alone[clear & (found.status == Status.NEAREST)].max() < 1e-10
         others = [k for k in range(3) if k != leading - 1]
-        quotients = found.rates[..., others] / found.rates[..., [leading - 1]]
-        np.testing.assert_allclose(found.ratios, quotients, rtol=1e-14)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            quotients = found.rates[..., others] / found.rates[..., [leading - 1]]
+        np.testing.assert_allclose(found.ratios[led], quotients[led], rtol=1e-14)
 
 
 def test_every_size_of_threshold_is_one_of_rounding():
@@ -450,8 +453,9 @@ def test_stretched_and_folded_arms_are_singular_in_every_direction(fold):
             assert (found.count, found.chosen) == (0, -1)
             assert found.rates.shape == (0, 3)
             assert found.ratios.shape == (0, 2)
-            assert np.isnan(found.curvature)
+            assert np.isnan([found.curvature, found.pseudoinverse_curvature]).all()
             assert np.isnan(found.chosen_rates).all()
+            assert np.isnan([*found.parabola, *found.pseudoinverse, *found.null]).all()
             assert "rank 1" in found.reason
             assert ("not along the tangent" in found.reason) == (direction != first + np.pi / 2)
 
@@ -708,6 +712,11 @@ def test_arguments_broadcast():
     assert found.reachable.shape == (7, 3, 2)
     np.testing.assert_array_equal(found.rates[3, 1], speed_ratios(arm, EXAMPLE_1, tangents[[3]], 0.0).rates[0])
     assert speed_ratios(arm, np.empty((0, 3)), [1, 0], 0.0).rates.shape == (0, 2, 3)
+    for shape in ((0,), (5, 0), (0, 10_000)):
+        none = speed_ratios(arm, np.empty((*shape, 3)), [1, 0], 0.0, leading=2)
+        assert none.B.shape == (*shape, 6)
+        assert none.parabola.shape == (*shape, 3)
+        assert json.loads(json.dumps(none.to_dict()))["C"] == none.C.tolist()
 
 
 def test_the_tangent_s_length_does_not_matter_and_the_inputs_are_not_kept():
@@ -850,6 +859,7 @@ def test_the_figure_states_the_finding():
     assert met.get_suptitle() == "The curvature −1 is met by two motions"
     far = draw_speed_ratios(speed_ratios(arm, np.radians([-14.0, -40.0, -205.0]), [1, 0.35], -1.0))
     assert far.get_suptitle() == "The curvature −1 is out of reach; −0.6812 is nearest"
+    assert met.axes[0].get_xlim()[0] < -0.02  # the base is not cut in half
     drawn = [line for line in met.axes[0].lines if line.get_label() == "chosen"]
     x, y = drawn[0].get_data()
     bend = np.linalg.norm(

@@ -173,6 +173,41 @@ def test_knots_that_all_but_repeat() -> None:
     assert time_scaling(crowd, 1.0, 2.0, method="toppra", deviation=0.01).sample([1.0])[0][0].tolist() == crowd[-1]
 
 
+def test_a_stretch_that_rounding_swallows() -> None:
+    """Of moves of 1e-16 beside moves of 1 nothing is left in the sum, and nothing of them is nan."""
+    knots = np.array([[0.0], [1.0], [1.0 + 2.3e-16], [2.0], [2.0 + 1e-15], [3.0]])
+    for options in ({"method": "stop"}, {"method": "toppra", "deviation": 0.01}):
+        move = time_scaling(knots, [1.7], [2.0], **options)
+        q, speed, push = move.sample(np.linspace(0.0, move.duration, 3001))
+        assert np.isfinite(q).all() and np.isfinite(speed).all() and np.isfinite(push).all()
+        assert np.isfinite(move.durations).all()
+        assert q[-1, 0] == pytest.approx(3.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_limits_hold_between_the_points_that_are_checked(seed: int) -> None:
+    """Loose roundings and tight velocities: the peak of a joint's speed lies inside a grid interval."""
+    rng = np.random.default_rng(seed)
+    n = int(rng.integers(1, 5))
+    knots, velocity, acceleration = (
+        rng.normal(size=(6, n)),
+        10.0 ** rng.uniform(-1, 1, n),
+        10.0 ** rng.uniform(-1, 2, n),
+    )
+    move = time_scaling(knots, velocity, acceleration, method="toppra", deviation=0.3)
+    assert max(worst(move, velocity, acceleration)) <= 1.0 + 1e-9
+
+
+@pytest.mark.parametrize("size", [1e-8, 1e-4, 1e3])
+def test_small_and_large_paths(size: float) -> None:
+    """TOPP-RA's own numbers are absolute; here a path s times as large takes sqrt(s) times as long."""
+    knots = np.array([[0.0, 0.0], [1.0, 0.3], [1.2, 1.0], [0.1, 1.4]])
+    plain = time_scaling(knots, np.inf, 2.0, method="toppra", deviation=0.05)
+    other = time_scaling(size * knots, np.inf, 2.0, method="toppra", deviation=0.05 * size)
+    assert plain.method == other.method == "toppra"
+    assert other.duration == pytest.approx(size**0.5 * plain.duration, rel=1e-4)
+
+
 @pytest.mark.parametrize("order", [2, 3])
 def test_higher_order_motion(order: int) -> None:
     """The joint motion of the speed ratios, as fast as the joints allow: one limit is used nearly everywhere."""

@@ -213,6 +213,24 @@ def test_on_the_first_axis_the_first_joint_turns_the_tip_on_the_spot():
     assert not arm.contains(1.0, 0.0, every_orientation=True)
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_on_a_later_axis(seed):
+    """Joints behind a limited first one bring the tip back to the second one's axis, where that can turn it."""
+    rng = np.random.default_rng(seed)
+    low = np.append(rng.uniform(-3, 1, 4), -PI)  # q5 at its lower limit folds the last link back
+    limits = np.stack([low, low + rng.uniform(0.3, 3.5, 5)], axis=1)
+    arm = cr.planar("RRRRR", (1.0, 1.0, 1.0, 0.5, 0.5)).with_limits(position=limits)
+    z = cmath.exp(1j * limits[0, seed % 2])
+    found = workspace_orientations(arm, z)
+    q = np.stack([np.full(4000, limits[0, seed % 2]), *rng.uniform(*limits[1:].T, (4000, 4)).T], axis=1)
+    q[:, 2], q[:, 4] = PI, -PI
+    if within(PI, *limits[2]):
+        assert all(any(within(heading, *pair, 1e-6) for pair in found) for heading in tip(arm, q)[1][:200])
+    beside = workspace_orientations(arm, z * cmath.exp(1e-7j * (1 - 2 * (seed % 2))))  # inwards: nothing special there
+    assert len(beside) == len(found)
+    np.testing.assert_allclose(beside, found, atol=2e-3)
+
+
 def test_near_the_first_axis_angles_stay_accurate():
     found = limited("RR", (1.0, 1.0), [(-3.0, 3.0), (-PI, PI - 0.01)])
     for distance in (1e-3, 1e-5, 1e-7, 2e-8):
@@ -227,7 +245,9 @@ def test_every_point_of_the_boundary_has_the_orientation_of_its_posture():
     known = [("RR", (0.94, 0.43), [(-3.0, -1.2), (0.0, PI)]), ("RR", (0.55, -0.1), [(1.4, 4.4), (-PI, 0.0)])]
     known += [("PR", (0.84, 0.77), [(0.9, 1.2), (-PI / 2, PI / 2)]), ("RR", (1.0, 0.5), [None, (1e-9 - PI, PI - 1e-9)])]
     arms = [cr.planar(kinds, lengths).with_limits(position=limits) for kinds, lengths, limits in known]
-    arms += [random_arm(rng, "".join(rng.choice(list("RRP"), rng.integers(2, 5))), tidy=k % 2 == 1) for k in range(40)]
+    rail = cr.planar("PR", (0.8416062254357982, 0.7727779139839083), (PI / 4, 0.0))
+    arms.append(rail.with_limits(position=[(0.9262859542313282, 1.2024236423988297), (-PI / 2, PI / 2)]))
+    arms += [random_arm(rng, "".join(rng.choice(list("RRP"), rng.integers(2, 5))), tidy=k % 2 == 1) for k in range(25)]
     for arm in arms:
         for piece in workspace_region(arm).pieces:
             for t in (0.0, 0.4, 1.0):

@@ -1,5 +1,6 @@
 """The workspace on the command line, as a figure and in the report."""
 
+import itertools
 import json
 import math
 from xml.etree import ElementTree
@@ -14,6 +15,7 @@ from chainrule.plot import draw_arm
 from chainrule.plot.style import svg
 from chainrule.plot.workspace import draw_workspace, outline
 from chainrule.report.context import Context
+from chainrule.report.parts import drawing as drawing_part
 from chainrule.report.parts.reach import SECTION
 from chainrule.workspaces import findings, orientations_in_words, states_in_words, workspace
 
@@ -87,6 +89,8 @@ def test_command_says_no_and_refuses(call, tmp_path):
     code, out, _ = call("workspace", "planar_3r", "--at", "0,0.1")
     assert code == 1
     assert "not reached" in out
+    code, out, err = call("workspace", "planar_3r", "--at", "1e300,1e300")
+    assert (code, err) == (1, "")
     code, out, _ = call("workspace", "planar_3r", "--at", "-0.1,0", "--json")
     assert code == 1
     assert json.loads(out)["at"] == {"point": [-0.1, 0.0], "orientations": []}
@@ -139,6 +143,27 @@ def test_the_figure_states_and_explains(limited):
 
 
 @pytest.mark.parametrize(
+    ("lengths", "limits"),
+    [
+        ((1.0, 0.8, 0.5, 0.25), [(-1.0, 2.0), (-2.0, 2.0), (-1.7, 2.6), (-2.9, 1.0)]),  # a small hole of four edges
+        ((1.0, 0.9, 0.8, 0.7, 0.6, 0.5), [(-0.5, 0.5)] * 6),  # fifteen entries in the legend
+    ],
+)
+def test_nothing_in_a_figure_is_cut_off_or_covered(lengths, limits):
+    arm = cr.planar("R" * len(lengths), lengths).with_limits(position=limits)
+    drawing = draw_workspace(arm)
+    drawing.draw_without_rendering()
+    (axes,) = drawing.axes
+    page = drawing.bbox
+    for box in (axes.get_tightbbox(), drawing.legends[0].get_window_extent()):
+        assert box.x0 >= page.x0 - 1 and box.y0 >= page.y0 - 1 and box.x1 <= page.x1 + 1 and box.y1 <= page.y1 + 1
+    assert axes.get_tightbbox().y0 >= drawing.legends[0].get_window_extent().y1 - 1
+    letters = [text.get_window_extent().get_points().mean(axis=0) for text in axes.texts]
+    gaps = [math.dist(a, b) for a, b in itertools.combinations(letters, 2)]
+    assert min(gaps) > 8.5 / 72 * drawing.dpi  # their height
+
+
+@pytest.mark.parametrize(
     ("kinds", "lengths", "limits"),
     [
         ("R", (1.0,), [None]),
@@ -186,3 +211,11 @@ def test_report_of_other_arms():
     part = SECTION.build(unbounded, Context(unbounded))
     assert "workspace" not in part.data
     assert "no limits" in texts(part)
+
+
+def test_the_drawing_says_what_its_shades_mean():
+    slide = cr.planar("RP", (0.2, 0.5)).with_limits(position=[(0.0, 1.0), (0.0, 0.4)])
+    for arm, explained in ((slide, True), (cr.planar("RP", (0.2, 0.5)), False), (cr.planar_3r(1.0, 0.5, 0.25), True)):
+        part = drawing_part.SECTION.build(arm, Context(arm))
+        (picture,) = part.blocks
+        assert ("every point the tip reaches" in picture.caption) == explained

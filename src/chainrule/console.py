@@ -6,6 +6,7 @@ Results go to standard output, everything else to standard error.
 from __future__ import annotations
 
 import json
+import math
 import re
 import sys
 from collections.abc import Callable, Iterator
@@ -50,12 +51,12 @@ def load_arm(source: str, tip: str | None = None, base: str | None = None) -> Ar
     return load(source, tip=tip, base=base)
 
 
-def configuration(text: str, arm: Arm) -> list[float]:
-    """The numbers of one ``--q``, as many as the arm has joints."""
-    found = numbers(text, "--q")
+def configuration(text: str, arm: Arm, deg: bool = False, what: str = "--q") -> list[float]:
+    """One number for each joint, in rad or m; with ``deg`` those of revolute joints are given in degrees."""
+    found = numbers(text, what)
     if len(found) != arm.n:
-        raise InputError(f"--q: {len(found)} numbers given; {arm.name} has {arm.n} joints")
-    return found
+        raise InputError(f"{what}: {len(found)} numbers given; {arm.name} has {arm.n} joints")
+    return [math.radians(value) if deg and kind == "R" else value for value, kind in zip(found, arm.kinds, strict=True)]
 
 
 def finite(array: Any) -> Any:

@@ -161,7 +161,7 @@ def speed_ratios_4(
         >>> found = cr.speed_ratios_4(arm, [0.2, 0.8, 0.9, -1.2], [0.6, 0.8], 0.3)
         >>> found.status, found.count, found.certified
         ('exact', 4, True)
-        >>> found.path[found.chosen][:3].round(9)   # speed, curvature, dk/ds
+        >>> found.path[found.chosen][:3].round(9) + 0.0   # speed, curvature, dk/ds
         array([1. , 0.3, 0. ])
     """
     found = speed_ratios_4_each(arm, q, tangent, curvature, curvature_rate, curvature_second)

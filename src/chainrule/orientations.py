@@ -415,7 +415,7 @@ class Triples(Combinations):
             turned = before[..., 0].conj() * np.exp(1j * angle[open_]) * after[..., 0].conj()
             target = before[..., 0].conj() * (z[open_] - before[..., 1]) - turned * after[..., 1]
             found = np.zeros(len(open_), dtype=bool)
-            for values, valid in _three(kinds, turned, target, bridge, middle, limits, self.size):
+            for values, valid in _three(kinds, turned, target, bridge, middle, self.size):
                 found |= self.within(kinds, values, limits, valid).any(axis=0)
             open_ = open_[~found]
             if not len(open_):
@@ -436,7 +436,7 @@ def _within(kind: str, value: Array, lower: Array, upper: Array, size: float) ->
 
 
 def _half_chord(radius: Array, away: Array, size: float) -> tuple[Array, Array]:
-    """Half of what a circle cuts from a line at a distance from its centre, and whether they meet; 0 where they touch."""
+    """Half of what a circle cuts from a line at a distance from its centre, 0 where they touch; whether they meet."""
     gap = radius - np.abs(away)
     half = np.where(gap <= TOUCH * size, 0.0, np.sqrt(np.maximum(gap, 0.0) * (radius + np.abs(away))))
     return half, gap >= -1e-11 * size
@@ -478,17 +478,19 @@ def _two(kinds: str, w: Array, bridge: Array, d: Array, size: float) -> Iterator
 
 
 def _three(
-    kinds: str, g: Array, tau: Array, bridge: Array, middle: Array, limits: list[Array], size: float
+    kinds: str, g: Array, tau: Array, bridge: Array, middle: Array, size: float
 ) -> Iterator[tuple[tuple[Array, Array, Array], Array]]:
-    """Joint values with J1 bridge J2 middle J3 = (g, tau), and whether they exist."""
+    """Joint values with J1 bridge J2 middle J3 = (g, tau), and whether they exist.
+
+    Where the third axis comes to lie on the first, any first angle would do; then some other combination has the pose
+    too, because the first and the third joint can turn against each other until one of them is at a limit.
+    """
     beta, b, gamma, c = bridge[..., 0], bridge[..., 1], middle[..., 0], middle[..., 1]
     turned = np.angle(g * (beta * gamma).conj())
     if kinds[2] == "R":
         for first, second, exists in _two(kinds[:2], tau, bridge, c, size):
             others = (first if kinds[0] == "R" else 0.0) + (second if kinds[1] == "R" else 0.0)
             yield (first, second, turned - others), exists
-        if kinds == "RRR":
-            yield from _folded(turned, tau, bridge, c, limits, size)
         return
     with np.errstate(divide="ignore", invalid="ignore"):
         if kinds == "RRP":
@@ -508,22 +510,3 @@ def _three(
             rest = tau - b - g * gamma.conj() * c
             last = rest.imag / g.imag
             yield (rest.real - g.real * last, turned, last), np.isfinite(last)
-
-
-def _folded(
-    turned: Array, tau: Array, bridge: Array, c: Array, limits: list[Array], size: float
-) -> Iterator[tuple[tuple[Array, Array, Array], Array]]:
-    """Both links folded onto each other, back on the first axis: any first angle will do, if the third makes up for it.
-
-    If some pair of values within the limits adds up, so does one where the first is at its lower limit or the third
-    at its upper one.
-    """
-    beta, b = bridge[..., 0], bridge[..., 1]
-    exists = (np.abs(tau) <= SAME * size) & (np.abs(np.abs(b) - np.abs(c)) <= SAME * size)
-    if not exists.any():
-        return
-    second = np.angle(-b * (beta * c).conj())
-    lowest = np.broadcast_to(limits[0][..., 0], turned.shape)
-    yield (lowest, second, turned - second - lowest), exists
-    highest = np.broadcast_to(limits[2][..., 1], turned.shape)
-    yield (turned - second - highest, second, highest), exists

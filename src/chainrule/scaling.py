@@ -91,12 +91,13 @@ def polyline(knots: Any, weights: Any = 1.0) -> JointPath:
     points = _knots(knots)
     lengths = np.max(np.abs(np.diff(points, axis=0)) / _positive(weights, "weights", points.shape[1]), axis=1)
     marks = np.concatenate([[0.0], np.cumsum(lengths)])
+    lengths = np.diff(marks)  # as the breaks have them: a stretch that rounding of the sum swallows is none
     moving = np.flatnonzero(lengths > 0.0)
     if not len(moving):
         return JointPath(np.zeros(2), np.stack([points[:1], 0.0 * points[:1]], axis=1), marks, False)
     starts = points[moving]
     slopes = (points[moving + 1] - starts) / lengths[moving, None]
-    breaks = np.concatenate([[0.0], np.cumsum(lengths[moving])])
+    breaks = np.concatenate([[0.0], marks[moving + 1]])
     return JointPath(breaks, np.stack([starts, slopes], axis=1), marks, len(moving) > 1)
 
 
@@ -263,7 +264,8 @@ def time_scaling(
         acceleration: one number or (n,), rad/s^2 or m/s^2.
         method: "stop" (rest at every knot; exact) or "toppra" (no stops; needs ``pip install chainrule[timing]``).
         deviation: "toppra" with knots: how far a rounded corner may leave the polyline, one number or (n,). If
-            stopping at the knots (which leaves it nowhere) is no slower, the answer is that of "stop".
+            stopping at the knots (which leaves it nowhere) is no slower, or the roundings are too small for
+            TOPP-RA's grid, the answer is that of "stop", as its ``method`` says.
 
     Raises:
         InputError: limits that are not positive, a path with bends for "stop" or with corners for "toppra", no
@@ -295,7 +297,10 @@ def time_scaling(
         smooth = rounded(path, deviation, weights)
         if np.diff(smooth.breaks).min() <= SHORTEST * smooth.breaks[-1]:
             return stops
-        found = _fastest(smooth, *limits)
+        try:
+            found = _fastest(smooth, *limits)
+        except GenerationError:
+            return stops
         # roundings so small that the corners are all but stops: the exact profile may beat the grid's
         return found if found.duration < stops.duration else stops
     if path.corners:
@@ -409,7 +414,28 @@ def _excess(found: TimeScaling, velocity: Array, acceleration: Array) -> float:
     slope, bend = (found.path.at(inside, order, piece[:, None]) for order in (1, 2))
     rate = np.abs(slope) * np.sqrt(square)[..., None] / velocity
     push = np.abs(bend * square[..., None] + slope * found.accelerations[:, None, None]) / acceleration
-    return max(1.0, float(rate.max()), float(np.sqrt(push.max()))) * (1.0 + 1e-12)
+    fastest = max(float(rate.max()), _peak(found, inside, rate.argmax(axis=1), piece, velocity))
+    return max(1.0, fastest, float(np.sqrt(push.max()))) * (1.0 + 1e-12)
+
+
+def _peak(found: TimeScaling, inside: Array, where: Array, piece: Array, velocity: Array) -> float:
+    """The largest share of the velocity limits near the largest samples ``where`` (p, n), between them.
+
+    q'^2 s_t^2 has its maximum where 2 q'' s_t^2 + q' 2 s_tt = 0; with q'' and s_tt constant (parabolas) that is linear
+    in s, and one step gets there. For higher degrees two steps come near.
+    """
+    n, first, last = found.path.n, found.positions[:-1, None], found.positions[1:, None]
+    joints, u = np.arange(n), 2.0 * found.accelerations[:, None]
+    s = np.take_along_axis(inside, where, axis=1)
+    for _ in range(2):
+        slope, bend = (found.path.at(s, order, piece[:, None])[:, joints, joints] for order in (1, 2))
+        square = found.speeds[:-1, None] ** 2 + u * (s - first)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step = -(2.0 * bend * square + slope * u) / (3.0 * bend * u)
+        s = np.clip(s + np.where(np.isfinite(step), step, 0.0), first, last)
+    square = np.maximum(found.speeds[:-1, None] ** 2 + u * (s - first), 0.0)
+    slope = found.path.at(s, 1, piece[:, None])[:, joints, joints]
+    return float((np.abs(slope) * np.sqrt(square) / velocity).max())
 
 
 def _passing(grid: Array, speeds: Array, times: Array, marks: Array) -> Array:

@@ -125,10 +125,16 @@ class SpeedRatios:
 
     @cached_property
     def _family(self) -> dict[str, Array]:
-        """All rates that follow the tangent; found again, as most who ask for many solutions do not ask for them."""
+        """All rates that follow the tangent, nan where they are not one family.
+
+        Found again, as most who ask for many solutions do not ask for them.
+        """
         evaluate = self.arm.evaluator("speed_ratio_rates")
         results = evaluate(self.q, self.arm.parameters, self.direction, self._wanted, _ONE[0])
-        return {name: result for (name, _), result in zip(evaluate.outputs, results, strict=True) if name in _FAMILY}
+        found = {name: result for (name, _), result in zip(evaluate.outputs, results, strict=True) if name in _FAMILY}
+        for result in found.values():
+            result[np.asarray(self.status) == Status.SINGULAR] = np.nan
+        return found
 
     @property
     def _wanted(self) -> Array:
@@ -143,9 +149,7 @@ class SpeedRatios:
         leads, shape = np.asarray(self.leading), np.shape(self.status)
         wanted = self._wanted
         found: list[Array] = []
-        for joint in (1, 2, 3):
-            if not (leads == joint).any():
-                continue
+        for joint in np.unique(leads).tolist() or [1]:
             evaluate = self.arm.evaluator(f"speed_ratio_terms_{joint}")
             results = evaluate(self.q, self.arm.parameters, self.tangent, wanted)
             if (leads == joint).all():
@@ -401,7 +405,7 @@ def _solved(
     each = max(1, BLOCK // max(1, math.prod(shape[1:])))
     if not shape or shape[0] <= each:
         blocks: list[Any] = [...]
-        given = (q, direction, wanted)
+        given: tuple[Array, ...] = (q, direction, wanted)
         room = shape
     else:
         blocks = [slice(start, start + each) for start in range(0, shape[0], each)]

@@ -151,10 +151,10 @@ class Workspace:
 def _points(x: Any, y: Any) -> Array:
     """Coordinates as complex numbers; without arithmetic, because infinite ones are welcome."""
     try:
-        both = np.broadcast_arrays(np.asarray(x), np.asarray(y))
+        both = list(np.broadcast_arrays(np.asarray(x), np.asarray(y)))
     except ValueError:
-        both = [np.array(None)]
-    if any(part.dtype.kind not in "iuf" for part in both):
+        both = []
+    if not both or any(part.dtype.kind not in "iuf" for part in both):
         raise InputError(f"x = {shown(x)}, y = {shown(y)}: arrays of numbers that broadcast are accepted")
     z = np.empty(both[0].shape, dtype=complex)
     z.real, z.imag = both

@@ -122,9 +122,7 @@ def evaluate(
     if task is not None and not FUNCTIONS[name]:
         raise InputError(f"{name} takes no --task")
     loaded = load_arm(arm, tip, base)
-    given = np.array([configuration(text, loaded) for text in q])
-    if deg:
-        given[:, [kind == "R" for kind in loaded.kinds]] *= np.pi / 180.0
+    given = np.array([configuration(text, loaded, deg) for text in q])
     single = len(given) == 1
     method = getattr(loaded, name.replace("-", "_"))
     options = {"task": task} if FUNCTIONS[name] else {}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -13,6 +13,7 @@ from chainrule.console import (
     Json,
     Tip,
     app,
+    configuration,
     load_arm,
     numbers,
     print_json,
@@ -63,17 +64,12 @@ def follow(
 
     Example: chainrule follow ambike_3r --circle 2,0.5,0.6 --tolerance 0.005 --figure follow.svg
     """
-    import numpy as np
-
     from chainrule.following import follow as run
     from chainrule.stretches import METHODS
 
     loaded = load_arm(arm, tip, base)
     desired = _path(path, {"circle": circle, "ellipse": ellipse, "line": line}, deg)
-    posture: Any = None
-    if q is not None:
-        scale = [np.pi / 180.0 if deg and kind == "R" else 1.0 for kind in loaded.kinds]
-        posture = np.array(numbers(q, "--q", loaded.n)) * scale
+    posture = None if q is None else configuration(q, loaded, deg)
     runs: list[Followed] = []
     with progressing() as progress:
         for name in METHODS if method is None else (method,):

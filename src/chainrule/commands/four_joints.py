@@ -43,15 +43,11 @@ def four_joints(
 
     Example: chainrule four-joints arm.toml --q "0.2 0.8 0.9 -1.2" --tangent 3,4 --curvature 0.3 --figure six.svg
     """
-    import numpy as np
-
     from chainrule.four_joints import STATUSES, speed_ratios_4
     from chainrule.tables import Column, Table
 
     loaded = load_arm(arm, tip, base)
-    given = np.array(configuration(q, loaded))
-    if deg:
-        given[[kind == "R" for kind in loaded.kinds]] *= np.pi / 180.0
+    given = configuration(q, loaded, deg)
     (bend,), (change,) = numbers(curvature, "--curvature", 1), numbers(curvature_rate, "--curvature-rate", 1)
     with progressing() as progress:
         progress("solving")

@@ -13,6 +13,7 @@ from chainrule.console import (
     Json,
     Tip,
     app,
+    configuration,
     load_arm,
     numbers,
     print_json,
@@ -64,7 +65,7 @@ def min_time(
     from chainrule.goals import fastest
 
     loaded = load_arm(arm, tip, base)
-    first = _joint_values(start, "--from", loaded, deg)
+    first = configuration(start, loaded, deg, "--from")
     found: Postures | None = None
     if (pose is None) == (not to):
         raise InputError("one of --to and --pose is needed, not both")
@@ -76,7 +77,7 @@ def min_time(
     else:
         import numpy as np
 
-        goals = np.array([_joint_values(text, "--to", loaded, deg) for text in to or []])
+        goals = np.array([configuration(text, loaded, deg, "--to") for text in to or []])
     best = fastest(
         first,
         goals,
@@ -96,25 +97,12 @@ def min_time(
         _print(best, loaded, found)
 
 
-def _joint_values(text: str, what: str, arm: Arm, deg: bool) -> Any:
-    """One number for each joint, revolute ones in rad."""
-    import numpy as np
-
-    return np.array(numbers(text, what, arm.n)) * _scale(arm, deg)
-
-
-def _scale(arm: Arm, deg: bool) -> Any:
-    import numpy as np
-
-    return np.array([np.pi / 180.0 if deg and kind == "R" else 1.0 for kind in arm.kinds])
-
-
 def _bounds(text: str | None, what: str, arm: Arm, deg: bool) -> Any:
     """The bounds given, or the arm's own where it has one for every joint."""
     import numpy as np
 
     if text is not None:
-        return _joint_values(text, f"--{what}", arm, deg)
+        return np.array(configuration(text, arm, deg, f"--{what}"))
     own = getattr(arm.limits, what)
     missing = [name for name, bound in zip(arm.joint_names, own, strict=True) if not np.isfinite(bound)]
     if missing:

@@ -50,16 +50,12 @@ def speed_ratios(
 
     Example: chainrule speed-ratios ambike_3r --q=-14,-10,-205 --deg --tangent 2,1 --curvature -1 --figure ratios.svg
     """
-    import numpy as np
-
     from chainrule.speed_ratio import check_arm, table
     from chainrule.speed_ratio import speed_ratios as solve
 
     loaded = load_arm(arm, tip, base)
     check_arm(loaded)
-    given = np.array(configuration(q, loaded))
-    if deg:
-        given[[kind == "R" for kind in loaded.kinds]] *= np.pi / 180.0
+    given = configuration(q, loaded, deg)
     (bend,), (change,) = numbers(curvature, "--curvature", 1), numbers(curvature_rate, "--curvature-rate", 1)
     with progressing() as progress:
         progress("solving")

@@ -76,15 +76,9 @@ def _first(found: SpeedRatios) -> list[Row]:
             quantity = f"solution {number + 1}, {name}"
             made.append(compared(FIRST, quantity, text, float(value), f"{HOW[FIRST]}.ratios"))
     made += _changes(found)
+    why = found.reason.removesuffix(".")
     made.append(
-        shown_answer(
-            FIRST,
-            "the chosen solution",
-            "the second",
-            found.chosen == 1,
-            f"{HOW[FIRST]}.chosen",
-            found.reason.rstrip("."),
-        )
+        shown_answer(FIRST, "the chosen solution", "the second", found.chosen == 1, f"{HOW[FIRST]}.chosen", why)
     )
     made += _pseudoinverse(FIRST, ("2.9052", "6.3343"), found)
     norms = [float(np.linalg.norm(x)) for x in (found.pseudoinverse, found.chosen_rates)]

@@ -23,8 +23,7 @@ ARMS = 200
 
 
 def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
-    """What the paper says of four joints and of second-order coordination, and what can be had.
-    """
+    """What the paper says of four joints and of second-order coordination, and what can be had."""
     progress("four joints: the sextic, by SymPy")
     found = [_sextic(), _twelve()]
     progress(f"four joints: all solutions of {ARMS} random arms")

@@ -21,6 +21,8 @@ EXAMPLES = {
     "figure 2": ((-14.0, -40.0, -205.0), (0.9439, 0.3304)),
 }
 ERROR = 0.025
+#: Random arms, and random arms that follow a whole path.
+CASES, LOOPS = 300, 20
 _BOTH: tuple[Method, ...] = ("pseudoinverse", "speed_ratio")
 
 
@@ -40,7 +42,7 @@ def rows_following(progress: Callable[[str], None] = lambda line: None) -> tuple
     progress("the stretches of figures 1 and 2")
     found = [_figure(figure) for figure in EXAMPLES]
     progress("stretches of random arms and postures")
-    studies = [study(600, tolerance, seed=1) for tolerance in (0.025, 0.005, 0.0005)]
+    studies = [study(CASES, tolerance, seed=1) for tolerance in (0.025, 0.005, 0.0005)]
     found += [_longer(studies), _nearest(studies[0]), _root(studies[0]), _second_term(studies), _ahead(studies)]
     progress("whole paths")
     return (*found, *(_updates(name, path) for name, path in _PATHS.items()))
@@ -78,10 +80,10 @@ def _longer(studies: list[Study]) -> Row:
         "section 4, abstract",
         "the speed ratio stays close for a longer portion of the path than the pseudoinverse",
         "in both examples",
-        f"{_percent(1.0 - facts[0]['worse'])} of 600 random arms",
+        f"{_percent(1.0 - facts[0]['worse'])} of {CASES} random arms",
         None,
         "special case",
-        "following.study(600, 0.025, seed=1)",
+        f"following.study({CASES}, 0.025, seed=1)",
         f"it makes the error in s² vanish and leaves that in s³ as it is: less far than the pseudoinverse in {worse} "
         f"of cases where the position error may be 0.025, 0.005, 0.0005; median travel {medians} times its travel",
     )
@@ -96,7 +98,7 @@ def _nearest(entry: Study) -> Row:
         f"median gain {facts['median_not_met']:.4g}",
         None,
         "special case",
-        "following.study(600, 0.025, seed=1)",
+        f"following.study({CASES}, 0.025, seed=1)",
         f"right to second order, but the gain over the pseudoinverse is almost nil there (where Δ > 0 its median is "
         f"{facts['median_met']:.3g}), and in {_percent(facts['worse_not_met'])} of cases it is a loss",
     )
@@ -111,7 +113,7 @@ def _root(entry: Study) -> Row:
         f"in {facts['two_roots'] - facts['better_root_missed']} of {facts['two_roots']} cases",
         None,
         "special case",
-        "following.study(600, 0.025, seed=1)",
+        f"following.study({CASES}, 0.025, seed=1)",
         "the sign of the two errors and the terms of higher order decide the rest",
     )
 
@@ -125,7 +127,7 @@ def _second_term(studies: list[Study]) -> Row:
         f"in {shares}",
         None,
         "refined",
-        "following.study(600, tolerance, seed=1)",
+        f"following.study({CASES}, tolerance, seed=1)",
         "for position errors of 0.025, 0.005, 0.0005",
     )
 
@@ -141,13 +143,13 @@ def _ahead(studies: list[Study]) -> Row:
         f"median travel {medians} times the pseudoinverse's",
         None,
         "refined" if never else "DISAGREES",
-        "following.study(600, tolerance, seed=1)",
+        f"following.study({CASES}, tolerance, seed=1)",
         "for position errors of 0.025, 0.005, 0.0005",
     )
 
 
 def _updates(name: str, path: Path) -> Row:
-    loops: Loops = study_paths(path, 30, 0.005, methods=_BOTH, seed=1)
+    loops: Loops = study_paths(path, LOOPS, 0.005, methods=_BOTH, seed=1)
     facts = loops.to_dict()["methods"]["speed_ratio"]
     return Row(
         "section 1, abstract",
@@ -156,6 +158,6 @@ def _updates(name: str, path: Path) -> Row:
         f"fewer updates in {_percent(facts['fewer'])}, median {facts['median_ratio']:.3g} of the pseudoinverse's",
         None,
         "special case" if facts["more"] else "agrees",
-        "following.study_paths(path, 30, 0.005, seed=1)",
-        f"more updates in {_percent(facts['more'])} of 30 random arms" if facts["more"] else "",
+        f"following.study_paths(path, {LOOPS}, 0.005, seed=1)",
+        f"more updates in {_percent(facts['more'])} of {LOOPS} random arms" if facts["more"] else "",
     )

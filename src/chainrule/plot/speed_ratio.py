@@ -82,7 +82,7 @@ def _paths(axes: Axes, found: SpeedRatios) -> None:
     reach = 0.55 * size if found.desired == 0.0 else min(0.55 * size, 1.3 / abs(found.desired))
     s = np.linspace(-reach, reach, 201)
     axes.plot(*_circle(tip, found.tangent, across, found.desired, s).T, label="desired", zorder=2, **STROKES["desired"])
-    shown = [bones.tip[None, :2], tip + reach * np.array([found.tangent, -found.tangent, across, -across])]
+    shown = [line, tip + reach * np.array([found.tangent, -found.tangent, across, -across])]
     named = motions(found)
     for word, (rates, _) in named.items():
         drawn = found.arm.position(found.q + s[:, None] * rates)
@@ -126,7 +126,7 @@ def _circle(tip: Array, tangent: Array, across: Array, curvature: float, s: Arra
 
 
 def _parabola(axes: Axes, found: SpeedRatios) -> None:
-    p2, p1, p0 = (float(p) for p in found.parabola)
+    p2, p1, p0 = (float(p) for p in (found.parabola if found.count else np.zeros(3)))
     marks = {word: float((rates - found.pseudoinverse) @ found.null) for word, (rates, _) in motions(found).items()}
     places = [*marks.values(), *([-p1 / (2.0 * p2)] if np.isfinite(found.reachable).any() and p2 else [])]
     spread = max(np.ptp(places) if places else 0.0, 0.5)
@@ -158,8 +158,7 @@ def _parabola(axes: Axes, found: SpeedRatios) -> None:
     axes.set_xlim(z[0], z[-1])
     axes.set_xlabel("self-motion added to the pseudoinverse's rates")
     axes.set_ylabel("curvature [1/m]")
-    bent = found.status in (Status.EXACT, Status.NEAREST)
-    shape = "a parabola" if bent else "a straight line"
+    shape = {Status.FIXED: "a constant", Status.ONE_AT_INFINITY: "a straight line"}.get(found.status, "a parabola")
     title = f"Their curvature is {shape}" if found.count else "There is no motion along the tangent to choose from"
     axes.set_title(title, loc="left", color=COLOURS["muted"])
 
@@ -231,8 +230,14 @@ def draw_reachable(arm: Arm, q: Any) -> Figure:
         inner, outer = radius(low)[order], radius(high)[order]
         axes.fill_between(turn, inner, outer, where=outer > inner, color=COLOURS["fill"], lw=0, zorder=1)
         for edge in (low, high):
-            drawn = np.where(np.isfinite(edge[order]) & (edge[order] > 0.0), radius(edge)[order], np.nan)
-            axes.plot(turn, drawn, color=COLOURS["link"], lw=1.3, zorder=3)
+            # on the other side its radius is 0, so that the line runs into the centre
+            axes.plot(
+                turn,
+                np.where(np.isfinite(edge[order]), radius(edge)[order], np.nan),
+                color=COLOURS["link"],
+                lw=1.3,
+                zorder=3,
+            )
         p0 = found.pseudoinverse_curvature[order]
         axes.plot(
             turn, np.where(p0 > 0.0, radius(p0), np.nan), zorder=4, label="pseudoinverse", **STROKES["pseudoinverse"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from markupsafe import Markup
 
 from chainrule.arm import Arm
@@ -18,7 +19,8 @@ def _build(arm: Arm, context: Context) -> Part:
     at = posture(arm, context.posture)
     why = "the posture of its largest manipulability" if context.task else "the middle of its ranges"
     planar = "x_alpha" in arm.tasks
-    if planar and "P" not in arm.kinds:
+    unbounded = any(kind == "P" and not np.isfinite(arm.limits.position[i]).all() for i, kind in enumerate(arm.kinds))
+    if planar and not unbounded:
         reading = (
             " Light: every point the tip reaches within the joint limits. Darker, inside dashed lines: points it "
             "reaches with every orientation."
