@@ -562,7 +562,7 @@ def test_command(capsys: pytest.CaptureFixture[str], tmp_path: File) -> None:
     [
         (["--circle", "9,0,0.2", "--tolerance", "0.01", "--method", "two_term"], 1, "no posture"),
         (["--circle", "1,0.2,0.2", "--tolerance", "0"], 2, "a positive"),
-        (["--circle", "1,0.2", "--tolerance", "0.01"], 2, "has 3 joints"),
+        (["--circle", "1,0.2", "--tolerance", "0.01"], 2, "3 are accepted"),
         (["--tolerance", "0.01"], 2, "one of --path"),
         (["--circle", "1,0,1", "--line", "1,0,1,1", "--tolerance", "0.01"], 2, "only one"),
         (["--ellipse", "1,0,1", "--tolerance", "0.01"], 2, "4 or 5"),
