@@ -202,7 +202,7 @@ def triangle(a: Array, b: Array, c: Array) -> tuple[Array, Array]:
 def circle_meets(p: Packed, radius: Array, slack: float) -> Iterator[tuple[Array, Array]]:
     """Where circles about the origin meet pieces: twice the points, and whether they are on the pieces; broadcast."""
     away, chord = np.abs(p.centre), p.end - p.start
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         along, across = triangle(radius, p.radius, away)
         towards = p.centre / away
         unit = chord / np.where(chord == 0, 1.0, np.abs(chord))  # 0 for a point
