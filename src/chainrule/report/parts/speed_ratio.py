@@ -95,4 +95,6 @@ def _build(arm: Arm, context: Context) -> Part:
     return Part(blocks, data)
 
 
-SECTION = Section("speed_ratio", "Curvature at constant joint rates", lambda arm: "x_alpha" in arm.tasks and arm.n == 3, _build)
+SECTION = Section(
+    "speed_ratio", "Curvature at constant joint rates", lambda arm: "x_alpha" in arm.tasks and arm.n == 3, _build
+)
