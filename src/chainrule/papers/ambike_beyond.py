@@ -54,7 +54,7 @@ def _twelve() -> Row:
     numbers: dict[Any, Any] = {}
     for angle, (c, s, r) in zip(arm.inputs[0].symbols, triples, strict=True):
         numbers |= {sp.cos(angle): sp.Rational(c, r), sp.sin(angle): sp.Rational(s, r)}
-    numbers |= dict(zip(arm.inputs[1].symbols, sp.sympify([1, 2, 3, 1]), strict=True))
+    numbers |= dict(zip(arm.inputs[1].symbols, map(sp.Integer, (1, 2, 3, 1)), strict=True))
     numbers |= dict(zip(TANGENT.symbols, (sp.Rational(9, 41), sp.Rational(40, 41)), strict=True))
     numbers |= {speed_ratio_4.KAPPA: sp.Rational(1, 3), speed_ratio_4.RHO: sp.Rational(-2, 7)}
     system = speed_ratio_4.paper_system(arm, numbers)
