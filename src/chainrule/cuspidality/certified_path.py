@@ -44,7 +44,7 @@ class SignProof:
     pieces: int
 
 
-def certify_sign(function: OnBalls, pieces: Array, *, precision: int = PRECISION) -> SignProof:
+def certify_sign(function: OnBalls, pieces: Array, *, at_least: float = 0.0, precision: int = PRECISION) -> SignProof:
     """Prove that a function keeps one sign along a path.
 
     A path that crosses a zero is refused, and so is one that comes too near to it for :data:`MOST_HALVINGS`.
@@ -52,6 +52,7 @@ def certify_sign(function: OnBalls, pieces: Array, *, precision: int = PRECISION
     Args:
         function: maps balls (k, n) to balls (k,), such as a generated function run on balls.
         pieces: (k, d + 1, n) the Bernstein coefficients of the path's pieces, numbers or balls; :func:`bezier` has them.
+        at_least: go on until the lower bound exceeds this, by default just until the sign is certain.
         precision: bits of a ball's midpoint.
 
     Example:
@@ -71,7 +72,7 @@ def certify_sign(function: OnBalls, pieces: Array, *, precision: int = PRECISION
             if sign == 0 or len(waiting) > MOST_PIECES:
                 break
             low = np.array([_least(value, sign) for value in function(hull(waiting))])
-            decided = low > 0.0
+            decided = low > at_least
             used += int(decided.sum())
             lowest = min(lowest, float(low[decided].min(initial=math.inf)))
             if decided.all():
