@@ -1,9 +1,9 @@
 """A proof that a function of the joints keeps its sign along a whole path, in ball arithmetic.
 
 A path is a B-spline with clamped knots one apart: of degree 1 a polyline, of degree 3 a smooth curve. Each of its
-polynomial pieces stays in the hull of its Bernstein coefficients, so the function, run on balls that hold the hull, gives
-a ball that holds every value along the piece. Pieces whose ball contains zero are halved (de Casteljau) until none is
-left, or until there are too many. Nothing is sampled: what is certified holds at every point of the path.
+polynomial pieces stays in the hull of its Bernstein coefficients, so the function, run on balls that hold the hull,
+gives a ball that holds every value along the piece. Pieces whose ball contains zero are halved (de Casteljau) until
+none is left, or until there are too many. Nothing is sampled: what is certified holds at every point of the path.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -51,7 +52,7 @@ def certify_sign(function: OnBalls, pieces: Array, *, at_least: float = 0.0, pre
 
     Args:
         function: maps balls (k, n) to balls (k,), such as a generated function run on balls.
-        pieces: (k, d + 1, n) the Bernstein coefficients of the path's pieces, numbers or balls; :func:`bezier` has them.
+        pieces: (k, d + 1, n) the Bernstein coefficients of the path's pieces, numbers or balls, as of :func:`bezier`.
         at_least: go on until the lower bound exceeds this, by default just until the sign is certain.
         precision: bits of a ball's midpoint.
 
@@ -115,7 +116,7 @@ def knots(count: int, degree: int) -> Array:
 
 
 def sample(control: Array, degree: int, s: Any, derivative: int = 0) -> Array:
-    """Points (..., n) of the B-spline with control points (k, n) at ``s`` (...) from 0 to 1, or their derivative by s."""
+    """Points (..., n) of the B-spline with control points (k, n) at ``s`` (...) in [0, 1], or their derivative by s."""
     from scipy.interpolate import BSpline
 
     last = len(control) - degree
@@ -127,8 +128,8 @@ def sample(control: Array, degree: int, s: Any, derivative: int = 0) -> Array:
 def bezier(control: Any, degree: int) -> Array:
     """The Bernstein coefficients (k - d, d + 1, n) of the pieces of a B-spline with control points (k, n), as balls.
 
-    By blossoming: coefficient j of the piece from t to t + 1 is the blossom at d - j times t and j times t + 1. The knots
-    are whole numbers, so the weights are exact but for the rounding of thirds, which the balls hold.
+    By blossoming: coefficient j of the piece from t to t + 1 is the blossom at d - j times t and j times t + 1. The
+    knots are whole numbers, so the weights are exact but for the rounding of thirds, which the balls hold.
     """
     from flint import arb, ctx, fmpq
 
@@ -160,7 +161,7 @@ def halved(pieces: Array) -> Array:
     half, level = arb(0.5), [pieces[:, i] for i in range(pieces.shape[1])]
     left, right = [level[0]], [level[-1]]
     while len(level) > 1:
-        level = [(a + b) * half for a, b in zip(level[:-1], level[1:], strict=True)]
+        level = [(a + b) * half for a, b in pairwise(level)]
         left.append(level[0])
         right.append(level[-1])
     return np.concatenate([np.stack(left, axis=1), np.stack(right[::-1], axis=1)])

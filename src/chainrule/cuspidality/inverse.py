@@ -1,4 +1,4 @@
-"""The inverse solutions of arms with six revolute joints: a search from many starts, and whether two poses are the same.
+"""The inverse solutions of arms with six revolute joints: a search from many starts; whether two poses are the same.
 
 A damped Newton method on the generated pose and Jacobian, run on all starts at once (K. Levenberg 1944, D. Marquardt
 1963). It needs no special geometry, and it is a search: a solution that no start leads to is not in the list. An arm
@@ -22,7 +22,7 @@ Array = NDArray[Any]
 
 #: Starts, steps of each at most, and the longest step of a joint, rad.
 STARTS, STEPS, LONGEST = 600, 30, 1.0
-#: An error (rad, and m over the size of the arm) below which a start has arrived; postures nearer than this, rad, are one.
+#: An error (rad, and m over the arm's size) below which a start has arrived; postures nearer than this, rad, are one.
 ARRIVED, SAME = 1e-9, 1e-5
 
 
@@ -60,7 +60,7 @@ def pose_error(arm: Arm, a: Any, b: Any) -> tuple[Array, Array]:
 
 
 def same_pose(arm: Arm, a: Any, b: Any, *, tolerance: float = 1e-9) -> Any:
-    """Whether two configurations (..., n) put the tip in the same pose: to ``tolerance`` rad, and m over the arm's size.
+    """Whether two configurations (..., n) give the tip one pose: to ``tolerance`` in rad, and in m over the arm's size.
 
     Example:
         >>> from chainrule import load

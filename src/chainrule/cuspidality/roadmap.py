@@ -1,8 +1,8 @@
 """A roadmap of an arm's nonsingular joint space: many configurations, joined where the straight way keeps det J's sign.
 
-A probabilistic roadmap (L. E. Kavraki, P. Svestka, J.-C. Latombe and M. H. Overmars 1996) with det J = 0 as the obstacle.
-Only the joints that det J depends on are sampled: the first and the last joint of an arm have no part in it. Angles without
-limits live on a circle, so every distance is the shorter way round. Its components tell which parts of the joint space
+A probabilistic roadmap (L. E. Kavraki, P. Svestka, J.-C. Latombe and M. H. Overmars 1996); det J = 0 is the obstacle.
+Only the joints that det J depends on are sampled: the first and the last joint of an arm have no part in it. Angles
+without limits live on a circle, so every distance is the shorter way round. Its components tell which parts of the joint space
 are surely joined (as far as samples along the edges can see); two parts that it leaves apart may still be joined.
 """
 

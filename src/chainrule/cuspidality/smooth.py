@@ -3,8 +3,8 @@
 The control points of a cubic B-spline are moved to where
     (m - 1) sum |x_i+1 - x_i|^2  +  WEIGHT mean(least / (s det J))
 is smallest (L-BFGS-B with the generated gradient of |det J|), where least is the smallest |det J| of the way it begins
-with: the first part pulls the curve straight and evens its speed, the second lifts the smallest |det J|. A spline stays in the hull of its control points, so bounds on them keep the joint
-limits along all of it.
+with: the first part pulls the curve straight and evens its speed, the second lifts the smallest |det J|. A spline stays
+in the hull of its control points, so bounds on them keep the joint limits along all of it.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ STRAIGHT = 0.25
 
 
 def shortened(space: JointSpace, via: Array, share: float = 0.5) -> Array:
-    """Via points (k, 6) without those that a straight way can pass by, where it keeps ``share`` of the least |det J|."""
+    """Via points (k, 6) without those that a straight way can pass by, where it keeps ``share`` of least |det J|."""
     floor = share * lowest(space, via, 1)
     kept, at = [0], 0
     while at < len(via) - 1:
@@ -38,7 +38,7 @@ def shortened(space: JointSpace, via: Array, share: float = 0.5) -> Array:
 
 
 def _straight(space: JointSpace, a: Array, b: Array) -> Array:
-    """The least det J times its sign at a on the ways from a (6,) to each of b (k, 6) as they are, not the shorter way."""
+    """The least det J times its sign at a on the ways from a (6,) to each of b (k, 6), with the turns they have."""
     share = np.linspace(0.0, 1.0, 64)[:, None]
     found = space.determinant(a + share * (b - a)[:, None])
     least: Array = (found * np.sign(found[:, :1])).min(axis=-1)

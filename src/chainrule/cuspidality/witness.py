@@ -233,7 +233,7 @@ class _Search:
     limits: bool
 
     def paths(self, solutions: Array) -> Iterator[tuple[Array, int, SignProof]]:
-        """Proved paths between two of the solutions (k, 6): control points, degree and proof; the shortest ways first."""
+        """Proved paths between two of the solutions (k, 6): control points, degree, proof; the shortest ways first."""
         postures, which = self._inside(solutions)
         if len(set(which.tolist())) < 2:
             return

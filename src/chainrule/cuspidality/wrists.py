@@ -1,9 +1,9 @@
 """Arms with six revolute joints whose last three axes meet in a point: the wrist, and the positioning arm before it.
 
-With such a spherical wrist the first three joints alone place the wrist's centre, and det J is the product of theirs and of
-a factor of the wrist. The wrist's two postures for one orientation lie on either side of its factor's zeros. So the arm
-can change its posture without a singularity exactly if its regional part can, the 3R arm with the wrist's centre as tip:
-everything known of 3R arms applies (D. L. Pieper 1968 for the decomposition).
+With such a spherical wrist the first three joints alone place the wrist's centre, and det J is the product of theirs
+and of a factor of the wrist. The wrist's two postures for one orientation lie on either side of its factor's zeros. So
+the arm can change its posture without a singularity exactly if its regional part can, the 3R arm with the wrist's
+centre as tip: everything known of 3R arms applies (D. L. Pieper 1968 for the decomposition).
 """
 
 from __future__ import annotations
@@ -21,8 +21,8 @@ from chainrule.inputs import real_array
 
 Array = NDArray[Any]
 
-#: How far axes may pass by a common point and still meet in it, relative to the sum of the arm's lengths; the least sine
-#: of the angle between two axes that are not parallel.
+#: How far axes may pass by a common point and still meet in it, relative to the sum of the arm's lengths; the least
+#: sine of the angle between two axes that are not parallel.
 MEET, PARALLEL = 1e-9, 1e-9
 
 
@@ -152,7 +152,7 @@ def _common_point(before: Transform, after: Transform, near: float, axes: tuple[
 
 
 def _foot(other: Transform) -> tuple[float | None, float]:
-    """Where on this frame's z axis the z axis of another frame comes nearest, and at what distance; None if parallel."""
+    """Where on this frame's z axis the z axis of another comes nearest, and at what distance; None if parallel."""
     u = np.array([row[2] for row in other.rotation])
     p = np.array(other.translation)
     across = u[:2] @ u[:2]
