@@ -16,6 +16,7 @@ import typer
 
 from chainrule.commands import (  # noqa: F401  each adds its commands to the application
     arms,
+    classify,
     follow,
     four_joints,
     generate,

@@ -34,6 +34,7 @@ ORDER = (
     "singular",
     "map",
     "reach",
+    "cuspidality",
     "timing",
     "speed_ratio",
     "following",
