@@ -17,11 +17,13 @@ from typing import Any
 from chainrule.derive import (
     chain,
     manipulability,
+    nodes_3r,
     orthogonal_3r,
     planar,
     planar_3r,
     planar_motion,
     regional_3r,
+    regional_postures,
     rest_to_rest,
     speed_ratio,
     speed_ratio_4,
@@ -139,6 +141,11 @@ def speed_ratio_terms(subject: Subject, leading: int) -> Program | None:
     return speed_ratio.terms(subject.arm, leading) if subject.arm.n == 3 else None
 
 
+def postures_in_pairs(subject: Subject, parallel: bool) -> Program | None:
+    """What takes the place of the quartic where axes 1 and 2 intersect or are parallel, for the general 3R arm."""
+    return None if subject.regional.right_angle else regional_postures.postures_in_pairs(subject.regional, parallel)
+
+
 CATALOGUE: tuple[Entry, ...] = (
     Entry("kinematics", lambda s: s.family.placement(s.arm, "position")),
     Entry("kinematics", lambda s: s.family.placement(s.arm, "pose")),
@@ -163,6 +170,12 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: regional_3r.triple_point(s.regional)),
     Entry("cuspidality", lambda s: s.right_angle(regional_3r.triple_point)),
     Entry("cuspidality", lambda s: regional_3r.image(s.regional)),
+    Entry("cuspidality", lambda s: nodes_3r.conic_terms(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.shoulder(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.unturned(s.regional)),
+    Entry("cuspidality", lambda s: regional_postures.number_of_postures(s.regional)),
+    Entry("cuspidality", lambda s: regional_postures.postures(s.regional)),
+    *(Entry("cuspidality", partial(postures_in_pairs, parallel=parallel)) for parallel in (False, True)),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -195,8 +208,9 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     family, tasks = FAMILIES[model.family]
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
-        known = {"motion": planar_motion, "speed_ratio": ratios, "cuspidality": orthogonal_3r}
-        return (known.get(group, family),)
+        if group == "cuspidality":
+            return (nodes_3r, orthogonal_3r, regional_postures)
+        return ({"motion": planar_motion, "speed_ratio": ratios}.get(group, family),)
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     general = [manipulability] if group in tasks else []
     return (family, *closed, *general)

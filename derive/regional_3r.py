@@ -1,7 +1,7 @@
 """Any arm of three revolute joints that positions a point, in one normal form: its quartic, cusps, aspects.
 
-In modified Denavit-Hartenberg frames joint 2 has (alpha2, d2, r2), joint 3 has (alpha3, d3, r3) and the point is (d4, 0, 0)
-of the last frame; what the base and offsets add is taken off. With c_i, s_i the cosine and sine of theta_i,
+In modified Denavit-Hartenberg frames joint 2 has (alpha2, d2, r2), joint 3 has (alpha3, d3, r3) and the point is
+(d4, 0, 0) of the last frame; what the base and offsets add is taken off. With c_i, s_i the cosine and sine of theta_i,
     f1 = d3 + d4 c3,   f2 = ca3 d4 s3 - sa3 r3,   f3 = sa3 d4 s3 + ca3 r3
 is the point in frame 2, and with A = c2 f1 - s2 f2, B = s2 f1 + c2 f2, F4 = ca2 (f3 + r2)
     rho^2 = x^2 + y^2 = (d2 + A)^2 + (ca2 B - sa2 (f3 + r2))^2,   z = sa2 B + F4,
@@ -202,8 +202,8 @@ def cusp_condition(where: Arm) -> Expression:
     E' = E'' = 0 are linear in U and V with the determinant k1 l2, so that
         sa2^2 U k1 l2 = 2 P,   d2^2 V k1 l2 = Q,   P = rho1 g4' - rho2 g4,   Q = g3 rho2 - g3' rho1;
     put into E: d2^2 P^2 + sa2^2 Q^2 - d2^4 sa2^4 (k1 l2)^2 W = 0, of degree 6 in cosines and sines, 12 in the half
-    tangent. Where F4 is constant (l2 = 0) the conditions do not hold V: they determine U only if Q = 0, and Q / sa2^2, of
-    degree 3 (6 in the half tangent), takes the place of the condition; V^2 then follows from E and must not be negative.
+    tangent. Where F4 is constant (l2 = 0) the conditions do not hold V: they agree on U only if Q = 0, and Q / sa2^2, of
+    degree 3 (6 in the half tangent), takes the place of the condition; V^2 follows from E and must not be negative.
     """
     g3, g4, gw = where.slopes
     if where.right_angle:
@@ -249,7 +249,8 @@ def cusp_polynomial(where: Arm) -> Program:
 def aspect_condition(where: Arm) -> Expression:
     """(a^2 + b^2 - c^2) / d4^2, where det J = a c2 + b s2 + c: no sign of theta2 is left where it is negative.
 
-    It is W (sa2^2 g3^2 + d2^2 g4^2) - d2^2 sa2^2 gw^2. For an orthogonal arm W = f1^2 and gw = -s3 f1: f1^2 is divided out.
+    It is W (sa2^2 g3^2 + d2^2 g4^2) - d2^2 sa2^2 gw^2. For an orthogonal arm W = f1^2 and gw = -s3 f1: f1^2 is divided
+    out.
     """
     g3, g4, gw = where.slopes
     whole = where.width * (where.sa2**2 * g3**2 + where.d2**2 * g4**2) - (where.d2 * where.sa2 * gw) ** 2
@@ -304,10 +305,11 @@ def determinant_terms(where: Arm) -> Program:
 def triple_point(where: Arm) -> Program:
     """The target of a triple root at given c3, s3 on the cusp polynomial, as numerators and one denominator.
 
-    The first two entries over the third are (rho^2, z), or (rho^2, z^2) where alpha2 = +-90 deg; nothing is divided here, so
-    that the entries are polynomials. In the first case U = 2 P / (sa2^2 k1 l2) and V = Q / (d2^2 k1 l2), as in
-    :func:`cusp_condition`. In the second the two conditions are combined, U = 2 (rho1 g3 + rho2 g3') / (sa2^2 (k1^2 + k2^2))
-    since g3^2 + g3'^2 = k1^2 + k2^2, and z^2 = V^2 = sa2^2 (W - U^2 / (4 d2^2)); a negative one is no cusp.
+    The first two entries over the third are (rho^2, z), or (rho^2, z^2) where alpha2 = +-90 deg; nothing is divided here,
+    so that the entries are polynomials. In the first case U = 2 P / (sa2^2 k1 l2) and V = Q / (d2^2 k1 l2), as in
+    :func:`cusp_condition`. In the second the two conditions are combined, since g3^2 + g3'^2 = k1^2 + k2^2:
+    U = 2 (rho1 g3 + rho2 g3') / (sa2^2 (k1^2 + k2^2)), and z^2 = V^2 = sa2^2 (W - U^2 / (4 d2^2)); a negative one is no
+    cusp.
     """
     steps = Steps()
     g3, g4 = (steps.let(name, g) for name, g in zip(("g3", "g4"), where.slopes[:2], strict=True))
@@ -340,18 +342,58 @@ def triple_point(where: Arm) -> Program:
     )
 
 
-def image(where: Arm) -> Program:
-    """(rho^2, z) of the point at given c2, s2, c3, s3."""
+def shoulder(where: Arm) -> Program:
+    """theta2 of a posture: numbers in the ratio of its cosine and sine, and W; no posture's theta2 is fixed where W = 0.
+
+    2 d2 A = R - F3 and sa2 B = z - F4 give W (cos theta2, sin theta2) = (A f1 + B f2, B f1 - A f2); multiplied by
+    2 (d2 sa2)^2 nothing is divided.
+    """
     steps = Steps()
+    u, v = (steps.let(name, e) for name, e in zip("UV", mismatch(where), strict=True))
+    f1, f2 = (steps.let(f"f{k}", f) for k, f in zip((1, 2), where.point[:2], strict=True))
+    along, across = steps.let("A", where.d2 * where.sa2**2 * u), steps.let("B", 2 * where.d2**2 * where.sa2 * v)
+    return Program(
+        "shoulder",
+        "numbers in the ratio of cos(theta2) and sin(theta2) of a posture at a target, and W",
+        (where.inputs, TARGET, ELBOW),
+        tuple(steps.steps),
+        (Output("ratio", (3,), (along * f1 + across * f2, across * f1 - along * f2, f1**2 + f2**2)),),
+    )
+
+
+def placed(steps: Steps, where: Arm) -> tuple[Expression, Expression, Expression]:
+    """The point at theta1 = 0, from the cosines and sines of theta2 and theta3."""
     f1, f2, f3 = (steps.let(f"f{k}", f) for k, f in enumerate(where.point, 1))
     along = steps.let("A", C2 * f1 - S2 * f2)
     across = steps.let("B", S2 * f1 + C2 * f2)
-    x = steps.let("x", where.d2 + along)
-    y = steps.let("y", where.ca2 * across - where.sa2 * (f3 + where.r2))
+    return (
+        steps.let("px", where.d2 + along),
+        steps.let("py", where.ca2 * across - where.sa2 * (f3 + where.r2)),
+        steps.let("pz", where.sa2 * across + where.ca2 * (f3 + where.r2)),
+    )
+
+
+def unturned(where: Arm) -> Program:
+    """The point at theta1 = 0."""
+    steps = Steps()
+    point = placed(steps, where)
+    return Program(
+        "unturned",
+        "the point at theta1 = 0, from the cosines and sines of theta2 and theta3",
+        (where.inputs, SHOULDER, ELBOW),
+        tuple(steps.steps),
+        (Output("point", (3,), point),),
+    )
+
+
+def image(where: Arm) -> Program:
+    """(rho^2, z) of the point at given c2, s2, c3, s3."""
+    steps = Steps()
+    x, y, z = placed(steps, where)
     return Program(
         "image",
         "rho^2 and z of the point, from the cosines and sines of theta2 and theta3",
         (where.inputs, SHOULDER, ELBOW),
         tuple(steps.steps),
-        (Output("target", (2,), (x**2 + y**2, where.sa2 * across + where.ca2 * (f3 + where.r2))),),
+        (Output("target", (2,), (x**2 + y**2, z)),),
     )

@@ -1,16 +1,16 @@
-"""Any arm of three revolute joints that positions a point, brought to the normal form of ``chainrule.derive.regional_3r``.
+"""Any arm of three revolute joints that positions a point, in the normal form of ``chainrule.derive.regional_3r``.
 
-Between two joints the fixed transform is Rz(before) Tz(height) Rx(alpha) Tx(d) Rz(after) Tz(r), with the common normal of
-the two axes in the middle; what is left of it besides (alpha, d) goes into the joints' offsets and r. Lengths d2, d3, d4
-are never negative. Where alpha2 and alpha3 are right angles and r3 = 0, axes are reversed so that sa2 = -1 and sa3 = 1: the
-orthogonal family of Baili, Wenger and Chablat.
+Between two joints the fixed transform is Rz(before) Tz(height) Rx(alpha) Tx(d) Rz(after) Tz(r), with the common normal
+of the two axes in the middle; what is left of it besides (alpha, d) goes into the joints' offsets and r. Lengths d2, d3,
+d4 are never negative. Where alpha2 and alpha3 are right angles and r3 = 0, axes are reversed so that sa2 = -1 and
+sa3 = 1: the orthogonal family of Baili, Wenger and Chablat.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache, cached_property
 from runpy import run_path
 from typing import Any
@@ -21,13 +21,13 @@ from numpy.typing import NDArray
 from chainrule import compile as compiling
 from chainrule.arm import Arm
 from chainrule.description import REGIONAL_3R, Description, Model, Orthogonal3R, Serial, Transform
-from chainrule.errors import InputError, shown
+from chainrule.errors import InputError
 from chainrule.evaluators import Evaluators
 from chainrule.inputs import real_array, whole_number
 
 Array = NDArray[Any]
 
-#: A sine of a twist below this counts as 0 (parallel axes), and so does a cosine below the second (crossed at right angles).
+#: A sine of a twist below the first counts as 0 (parallel axes), a cosine below the second too (crossed at right angles).
 PARALLEL, CROSSED = 1e-12, 1e-15
 
 ORTHOGONAL_3R = Model("orthogonal_3r", "orthogonal_3r", "RRR", ("d2", "d3", "d4", "r2"))
@@ -51,7 +51,7 @@ class Regional:
     parameters: tuple[float, ...]
     signs: tuple[int, int, int] = (1, 1, 1)
     offsets: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    frame: Transform = Transform()
+    frame: Transform = field(default_factory=Transform)
     name: str = "arm"
 
     @classmethod
@@ -171,7 +171,7 @@ class Regional:
         return found
 
     def section_postures(self, points: Any) -> Array:
-        """Postures (..., 4, 3) in angles of the normal form at ``points`` (..., 3) of its frame, as :func:`postures`."""
+        """Postures (..., 4, 3) in angles of the normal form, at ``points`` (..., 3) of its frame."""
         from chainrule.cuspidality.postures import section
 
         return section(self, real_array(points, "points")).theta
