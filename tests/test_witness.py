@@ -196,7 +196,7 @@ def test_unreachable_pose_has_none_and_no_pose_is_refused() -> None:
 def test_same_pose_and_how_far_apart() -> None:
     arm, q = cr.load("gofa5"), np.array([0.3, 0.4, 0.5, 0.6, 0.7, 0.8])
     np.testing.assert_array_equal(same_pose(arm, q, np.stack([q, q + 2 * np.pi, q + 1e-3])), [True, True, False])
-    distance, angle = pose_error(arm, q, q + [0, 0, 0, 0, 0, 0.25])
+    distance, angle = pose_error(arm, q, q + 0.25 * np.eye(6)[5])
     np.testing.assert_allclose(angle, 0.25, rtol=1e-12)
     assert distance < 1e-15  # the last joint turns the tip on its axis
 

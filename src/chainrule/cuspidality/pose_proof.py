@@ -3,8 +3,8 @@
 Krawczyk's test (R. Krawczyk 1969; A. Neumaier, Interval Methods for Systems of Equations, 1990) on the six equations
     p(q) = p,   A - A^T = 0 with A = R(q) R^T,
 in ball arithmetic on the generated pose and Jacobian. A rotation with A = A^T is the identity or a half turn; a
-positive trace, shown too, leaves the identity. The fixed rotations of an arm given by doubles are orthogonal to rounding only
-(a 60 degree twist has no exact cosine and sine); so much, 1e-16, the equation "the same orientation" means.
+positive trace, shown too, leaves the identity. The fixed rotations of an arm given by doubles are orthogonal to
+rounding only (a 60 degree twist has no exact cosine and sine): to so much, 1e-16, is it the same orientation.
 """
 
 from __future__ import annotations

@@ -2,8 +2,8 @@
 
 A probabilistic roadmap (L. E. Kavraki, P. Svestka, J.-C. Latombe and M. H. Overmars 1996); det J = 0 is the obstacle.
 Only the joints that det J depends on are sampled: the first and the last joint of an arm have no part in it. Angles
-without limits live on a circle, so every distance is the shorter way round. Its components tell which parts of the joint space
-are surely joined (as far as samples along the edges can see); two parts that it leaves apart may still be joined.
+without limits live on a circle, so every distance is the shorter way round. Its components tell which parts of the
+joint space are joined, as far as samples along the edges can see; parts that it leaves apart may still be joined.
 """
 
 from __future__ import annotations
