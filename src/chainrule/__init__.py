@@ -13,8 +13,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from chainrule.arm import Arm, Limits, load, orthogonal_3r, planar, planar_3r
+    from chainrule.arm import Arm, Limits, load, planar, planar_3r
     from chainrule.compile import NoCompilerWarning
+    from chainrule.cuspidality.classify import classify_orthogonal_3r
+    from chainrule.cuspidality.designs import FreeJointWarning, Orthogonal3R, Regional3R, orthogonal_3r, regional_3r
+    from chainrule.cuspidality.feasible import FeasiblePostures
+    from chainrule.cuspidality.posture_change import PostureChange
     from chainrule.errors import DescriptionError, GenerationError, InputError
     from chainrule.export import generate
     from chainrule.following import follow
@@ -37,6 +41,8 @@ __all__ = [
     "DescriptionError",
     "Ellipse",
     "FastestMove",
+    "FeasiblePostures",
+    "FreeJointWarning",
     "GenerationError",
     "InputError",
     "JointMove",
@@ -45,10 +51,14 @@ __all__ = [
     "ManipulabilityMap",
     "Maximum",
     "NoCompilerWarning",
+    "Orthogonal3R",
+    "PostureChange",
     "Postures",
+    "Regional3R",
     "SpeedRatios",
     "Spline",
     "Workspace",
+    "classify_orthogonal_3r",
     "fastest",
     "follow",
     "generate",
@@ -62,6 +72,7 @@ __all__ = [
     "planar_3r",
     "postures",
     "read_path",
+    "regional_3r",
     "speed_ratios",
     "speed_ratios_4",
     "speed_ratios_4_each",
@@ -70,7 +81,14 @@ __all__ = [
 ]
 
 _HOMES = {
-    **dict.fromkeys(("Arm", "Limits", "load", "orthogonal_3r", "planar", "planar_3r"), "chainrule.arm"),
+    **dict.fromkeys(("Arm", "Limits", "load", "planar", "planar_3r"), "chainrule.arm"),
+    "classify_orthogonal_3r": "chainrule.cuspidality.classify",
+    **dict.fromkeys(
+        ("FreeJointWarning", "Orthogonal3R", "Regional3R", "orthogonal_3r", "regional_3r"),
+        "chainrule.cuspidality.designs",
+    ),
+    "FeasiblePostures": "chainrule.cuspidality.feasible",
+    "PostureChange": "chainrule.cuspidality.posture_change",
     **dict.fromkeys(("DescriptionError", "GenerationError", "InputError"), "chainrule.errors"),
     "NoCompilerWarning": "chainrule.compile",
     "generate": "chainrule.export",

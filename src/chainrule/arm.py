@@ -415,13 +415,3 @@ def planar(
         array([0.658, 0.36 ])
     """
     return Arm(families.planar(kinds, lengths, headings, **options))
-
-
-def orthogonal_3r(d2: float, d3: float, d4: float, r2: float) -> Arm:
-    """The orthogonal 3R arm (alpha_2 = -90 deg, alpha_3 = 90 deg, r_3 = 0) with lengths in m.
-
-    Example:
-        >>> orthogonal_3r(1.0, 2.0, 1.5, 1.0).position([0.5, 0.5, 0.5]).round(3)
-        array([ 2.607,  3.383, -1.59 ])
-    """
-    return Arm(families.orthogonal_3r(d2, d3, d4, r2))

@@ -1,0 +1,80 @@
+"""Whether a 3R arm can change its posture without meeting a singularity, and a point where it does.
+
+A generic 3R arm is cuspidal exactly if its cross-section has a cusp, a point that three postures share (D. H.
+Salunkhe, C. Spartalis, J. Capco, D. Chablat, P. Wenger, "Necessary and sufficient condition for a generic 3R serial
+manipulator to be cuspidal", Mechanism and Machine Theory 171, 2022). Arms that are not generic are named with the
+reason; consecutive axes that are parallel or meet, and the orthogonal arms with r2 = 0, are never cuspidal (P. Wenger,
+"Design of cuspidal and noncuspidal manipulators", ICRA 1997).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chainrule.cuspidality.aspects import aspect_of, determinant
+from chainrule.cuspidality.normal_form import Regional
+
+Array = NDArray[Any]
+
+#: Rings about every cusp, places on each, and places along both sides of a grid over the whole cross-section.
+RINGS, PLACES, GRID = 14, 48, 64
+
+
+@dataclass(frozen=True)
+class Example:
+    """A point that an arm can reach in two postures of one aspect.
+
+    Attributes:
+        section: (2,) its rho and z in m.
+        postures: (2, 3) rad, the two postures, of the arm's own joints.
+        sign: of det J in both.
+    """
+
+    section: Array
+    postures: Array
+    sign: int
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        return {"section": self.section.tolist(), "postures": self.postures.tolist(), "sign": self.sign}
+
+
+def example(regional: Regional, cusps: Array) -> Example | None:
+    """The best of many points for a change of posture: two postures in one aspect, far from singularities.
+
+    Three postures meet in a cusp, and the outer two of them share an aspect beside it. So points on rings about every
+    cusp are tried, small rings too, and a grid over the cross-section. None where no point has two postures in one
+    aspect.
+
+    Args:
+        regional: the arm.
+        cusps: (k, 2) rho and z of its cusps.
+    """
+    reach = regional.size
+    turn = np.linspace(0.0, 2.0 * np.pi, PLACES, endpoint=False)
+    radii = reach * 0.5 ** np.arange(2.0, 2.0 + RINGS)
+    ring = radii[:, None, None] * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
+    places = (np.asarray(cusps, float).reshape(-1, 1, 1, 2) + ring).reshape(-1, 2)
+    rho, z = np.meshgrid(np.linspace(0.0, reach, GRID + 1)[1:], np.linspace(-reach, reach, GRID))
+    places = np.concatenate([places, np.stack([rho.ravel(), z.ravel()], axis=-1)])
+    places = places[places[:, 0] > 0.0]
+    theta = regional.section_postures(np.stack([places[:, 0], np.zeros(len(places)), places[:, 1]], axis=-1))
+    labels = aspect_of(regional, regional.from_normal(theta))
+    size = np.abs(determinant(regional, theta[..., 1], theta[..., 2]))
+    best, found = 0.0, None
+    for i, j in combinations(range(theta.shape[1]), 2):
+        least = np.where((labels[:, i] == labels[:, j]) & (labels[:, i] >= 0), np.minimum(size[:, i], size[:, j]), 0.0)
+        place = int(least.argmax())
+        if least[place] > best:
+            best, found = float(least[place]), (place, i, j)
+    if found is None:
+        return None
+    place, i, j = found
+    pair = theta[place, [i, j]]
+    sign = int(np.sign(determinant(regional, pair[0, 1], pair[0, 2])))
+    return Example(places[place], regional.from_normal(pair), sign)

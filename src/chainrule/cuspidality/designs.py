@@ -1,0 +1,396 @@
+"""The face: what a user asks of a 3R arm.
+
+:class:`Orthogonal3R` is an arm of the family of Baili, Wenger and Chablat, with everything an
+:class:`~chainrule.Arm` has; :class:`Regional3R` speaks of any arm of three revolute joints that positions a point, or of
+the part of a six-joint arm before its spherical wrist. Both answer the same questions (:class:`Answers`).
+"""
+
+from __future__ import annotations
+
+import warnings
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chainrule.arm import Arm
+from chainrule.cuspidality.exact import rational
+from chainrule.cuspidality.normal_form import Regional
+from chainrule.description import Description, with_limits
+from chainrule.description import Orthogonal3R as Lengths
+from chainrule.errors import InputError, shown
+from chainrule.readers import families
+
+if TYPE_CHECKING:
+    from chainrule.cuspidality.aspects import Aspect
+    from chainrule.cuspidality.cuspidal import Example
+    from chainrule.cuspidality.feasible import FeasiblePostures
+    from chainrule.cuspidality.posture_change import PostureChange
+    from chainrule.cuspidality.singular_curves import SingularCurve
+
+Array = NDArray[Any]
+
+
+class FreeJointWarning(UserWarning):
+    """A joint is free at the point asked for: its angle in the answer stands for every angle."""
+
+
+@dataclass(frozen=True)
+class ExactRegional(Regional):
+    """A normal form of the orthogonal family whose lengths are kept as fractions, not as the doubles next to them.
+
+    Attributes:
+        lengths: (d2, d3, d4, r2) of the normal form.
+    """
+
+    lengths: tuple[Fraction, ...] = ()
+
+    @classmethod
+    def of_lengths(cls, description: Description, lengths: tuple[Fraction, ...]) -> ExactRegional:
+        """From the description of an orthogonal arm and its lengths."""
+        rounded = Regional.of(description)
+        nearby = rounded.orthogonal
+        assert nearby is not None
+        own = tuple(abs(exact) if near >= 0.0 else -abs(exact) for exact, near in zip(lengths, nearby, strict=True))
+        return cls(rounded.parameters, rounded.signs, rounded.offsets, rounded.frame, rounded.name, own)
+
+    @cached_property
+    def rationals(self) -> Array:
+        """The parameters as ``fmpq``."""
+        d2, d3, d4, r2 = (rational(length) for length in self.lengths)
+        zero, one = rational(0), rational(1)
+        return np.array([zero, -one, zero, one, d2, d3, d4, r2, zero], object)
+
+
+class Answers:
+    """What is known of a 3R arm that positions a point: cusps, nodes, postures, aspects and the way between postures.
+
+    Angles are the arm's own joints, in rad. (rho, z) are the distance from the first joint's axis and the height along
+    it, in m, in the frame of the normal form (:attr:`regional`; for an orthogonal arm that of the base). Joint limits
+    play no part.
+    """
+
+    _regional: Regional
+
+    @property
+    def regional(self) -> Regional:
+        """The arm's normal form, which the answers are computed from."""
+        return self._regional
+
+    @property
+    def nongeneric(self) -> tuple[str, ...]:
+        """Why the arm is not generic, in words (parallel or intersecting axes, ...); empty for a generic arm."""
+        return self._regional.nongeneric
+
+    @cached_property
+    def cuspidal(self) -> bool:
+        """Whether the arm can change its posture without meeting a singularity.
+
+        A generic arm can exactly if it has a cusp (Salunkhe et al. 2022); those named in :attr:`nongeneric` cannot.
+        """
+        return not self.nongeneric and len(self.cusps()) > 0
+
+    @property
+    def exact(self) -> bool:
+        """Whether the lengths are kept as the fractions they were given as."""
+        return isinstance(self._regional, ExactRegional)
+
+    def cusps(self) -> Array:
+        """The points of the cross-section that three postures share: (k, 2) of rho and z in m."""
+        from chainrule.cuspidality.cusps import cusps
+
+        return cusps(self._regional)
+
+    def nodes(self) -> Array:
+        """Where the image of the singular curves crosses itself: (k, 2) of rho and z in m."""
+        from chainrule.cuspidality.nodes import nodes
+
+        return nodes(self._regional)
+
+    def singular_curves(self, points: int = 400) -> tuple[SingularCurve, ...]:
+        """The closed curves det J = 0 in (theta2, theta3) with their images in the cross-section.
+
+        See :func:`chainrule.cuspidality.singular_curves.singular_curves`.
+        """
+        from chainrule.cuspidality.singular_curves import singular_curves
+
+        return singular_curves(self._regional, points)
+
+    def aspects(self) -> tuple[Aspect, ...]:
+        """The connected components of the joint space without singularities, as :mod:`chainrule.cuspidality.aspects`."""
+        from chainrule.cuspidality.aspects import aspects
+
+        return aspects(self._regional)
+
+    def aspect_of(self, q: Any) -> Array:
+        """The label of the aspect of configurations ``q`` (..., 3); -1 where they are singular to within rounding.
+
+        Raises:
+            InputError: ``q`` is not (..., 3).
+        """
+        from chainrule.cuspidality.aspects import aspect_of
+
+        return aspect_of(self._regional, q)
+
+    def same_aspect(self, a: Any, b: Any) -> Array:
+        """Whether configurations ``a`` and ``b`` (..., 3) can be joined without meeting a singularity."""
+        from chainrule.cuspidality.aspects import same_aspect
+
+        return same_aspect(self._regional, a, b)
+
+    def example(self) -> Example | None:
+        """A point with two postures in one aspect, far from singularities; None for an arm that is not cuspidal."""
+        from chainrule.cuspidality.cuspidal import example
+
+        return example(self._regional, self.cusps())
+
+    def posture_change(self, a: Any = None, b: Any = None) -> PostureChange:
+        """A smooth joint path from ``a`` to ``b`` (3,) without a singularity, with a proof; or why there is none.
+
+        Without ``a`` and ``b`` the postures of :meth:`example` are taken.
+
+        Raises:
+            InputError: only one of the two is given, or none where the arm is not cuspidal.
+        """
+        from chainrule.cuspidality.posture_change import posture_change
+
+        if a is None and b is None:
+            found = self.example()
+            if found is None:
+                raise InputError("no point has two postures in one aspect: the arm is not cuspidal; give a and b")
+            a, b = found.postures
+        elif a is None or b is None:
+            raise InputError("a and b: both configurations, or none of them, are accepted")
+        return posture_change(self._regional, a, b)
+
+    def feasible_postures(self, path: Any) -> FeasiblePostures:
+        """Which postures can follow a path to its end without a jump, and what stops the others.
+
+        Args:
+            path: corners (k, 3) of a polyline in m, or a function of s in [0, 1] that maps (...,) to (..., 3).
+        """
+        from chainrule.cuspidality.feasible import feasible_postures
+
+        return feasible_postures(self._regional, path)
+
+    def postures(self, x: Any, y: Any, z: Any) -> Array:
+        """Every posture that reaches the point (x, y, z) m of the base frame: (k, 3) rad in (-pi, pi], by rising theta3.
+
+        None is lost, see :func:`chainrule.cuspidality.postures.postures`, which takes any number of points at once and
+        says which joints are free.
+
+        Raises:
+            InputError: the point is not three finite numbers.
+
+        Warns:
+            FreeJointWarning: a joint is free at the point; one of its angles stands for all.
+        """
+        from chainrule.cuspidality.postures import postures
+
+        found = postures(self._regional, _point(x, y, z))
+        if found.free.any():
+            joints = " and ".join(f"joint {i + 1}" for i in np.flatnonzero(found.free))
+            warnings.warn(
+                f"{joints} can have any angle at this point: the ones given stand for all", FreeJointWarning, 2
+            )
+        rows: Array = found.q[: int(found.count)] if found.count >= 0 else found.q[np.isfinite(found.q[:, 0])]
+        return rows
+
+    def number_of_postures(self, rho: Any, z: Any) -> Array:
+        """How many postures reach points (rho, z) of the cross-section: 0 to 4, of the shape they broadcast to.
+
+        See :func:`chainrule.cuspidality.postures.number_of_postures`: points near a singular curve are decided exactly.
+        """
+        from chainrule.cuspidality.postures import number_of_postures
+
+        return number_of_postures(self._regional, rho, z)
+
+    def words(self) -> list[str]:
+        """What else there is to say about the arm, one sentence each."""
+        return [f"Not generic: {reason}." for reason in self.nongeneric]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values of everything that belongs to the design: cusps, nodes and aspects."""
+        return {
+            "name": self._regional.name,
+            "parameters": list(self._regional.parameters),
+            "cuspidal": self.cuspidal,
+            "nongeneric": list(self.nongeneric),
+            "exact": self.exact,
+            "cusps": np.asarray(self.cusps()).tolist(),
+            "nodes": np.asarray(self.nodes()).tolist(),
+            "aspects": [aspect.to_dict() for aspect in self.aspects()],
+        }
+
+
+def _point(x: Any, y: Any, z: Any) -> Array:
+    from chainrule.inputs import real_array
+
+    found = real_array([x, y, z], "the point (x, y, z)")
+    if found.shape != (3,):
+        raise InputError(f"the point (x, y, z): arrays of shape {found.shape[1:]}; three numbers are accepted")
+    return found
+
+
+class Regional3R(Answers):
+    """Any arm of three revolute joints as a positioning arm. Make one with :func:`regional_3r`.
+
+    Attributes:
+        arm: the arm it was made from.
+    """
+
+    def __init__(self, arm: Arm, regional: Regional) -> None:
+        self.arm, self._regional = arm, regional
+
+    @property
+    def name(self) -> str:
+        """The arm's name."""
+        return self.arm.name
+
+    def __repr__(self) -> str:
+        return f"<Regional3R {self.name}>"
+
+
+class Orthogonal3R(Answers, Arm):
+    """An orthogonal 3R arm: alpha_2 = -90 deg, alpha_3 = 90 deg, r_3 = 0. Make one with :func:`orthogonal_3r`."""
+
+    def __init__(self, description: Description, lengths: tuple[Fraction, ...] | None = None) -> None:
+        super().__init__(description)
+        self._lengths = lengths
+
+    @cached_property
+    def _regional(self) -> Regional:  # type: ignore[override]
+        if self._lengths is None:
+            return Regional.of(self.description)
+        return ExactRegional.of_lengths(self.description, self._lengths)
+
+    @property
+    def lengths(self) -> tuple[Any, ...]:
+        """(d2, d3, d4, r2) in m: as fractions where the arm was made with ``exact=True``, else as floats."""
+        geometry = self.description.geometry
+        assert isinstance(geometry, Lengths)
+        return self._lengths or (geometry.d2, geometry.d3, geometry.d4, geometry.r2)
+
+    @property
+    def domain(self) -> int | None:
+        """The domain of the design space, 1 to 5; None on a surface between two (see :attr:`surfaces`).
+
+        The domains have 0, 4, 2, 4, 0 cusps (Baili, Wenger and Chablat 2004, section III, with its corrections).
+        """
+        return self._place.domain
+
+    @property
+    def surfaces(self) -> tuple[str, ...]:
+        """The separating surfaces that the design lies on, such as ``("C1",)``; empty inside a domain.
+
+        Floats count at their binary value; lengths of ``exact=True`` as they were given.
+        """
+        return self._place.surfaces
+
+    @property
+    def topology(self) -> tuple[int, int]:
+        """(number of cusps, number of nodes): one of 0/0, 4/2, 4/0, 2/1, 2/3, 4/4, 0/2 off the surfaces."""
+        return len(self.cusps()), len(self.nodes())
+
+    @cached_property
+    def _place(self) -> Any:
+        from chainrule.cuspidality.domains import domain
+
+        return domain(*self._regional.rationals[4:8])
+
+    def words(self) -> list[str]:
+        """What else there is to say about the arm, one sentence each."""
+        if self.surfaces:
+            where = f"The design lies on the surface {' and '.join(self.surfaces)}, between domains."
+        else:
+            where = f"The design lies in domain {self.domain}."
+        return [where, *super().words()]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values of everything that belongs to the design: its domain, cusps, nodes and aspects."""
+        place = {"domain": self.domain, "surfaces": list(self.surfaces), "lengths": [str(x) for x in self.lengths]}
+        return {**super().to_dict(), **place}
+
+    def with_limits(self, **limits: Any) -> Orthogonal3R:
+        """A copy with other joint limits, as :meth:`chainrule.Arm.with_limits`; the answers do not depend on them."""
+        return Orthogonal3R(with_limits(self.description, **limits), self._lengths)
+
+    def __reduce__(self) -> Any:
+        return Orthogonal3R, (self.description, self._lengths)
+
+
+def orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any, *, exact: bool = False) -> Orthogonal3R:
+    """The orthogonal 3R arm (alpha_2 = -90 deg, alpha_3 = 90 deg, r_3 = 0) with lengths in m.
+
+    It is an :class:`~chainrule.Arm` that also knows its cusps, nodes, aspects and postures (:class:`Answers`).
+
+    Args:
+        d2, d3, d4, r2: lengths in m, of either sign.
+        exact: whether to keep the lengths as they are given: integers, fractions, ``Decimal`` or decimal text such as
+            ``"0.1"``. Whatever is decided about the design (its domain, whether it lies on a surface, its cusps, nodes
+            and aspects) is then decided for these numbers, else for the doubles next to them.
+
+    Raises:
+        InputError: a length that is not a finite number, or text without ``exact``.
+
+    Source: M. Baili, P. Wenger, D. Chablat, "Kinematic analysis of a family of 3R manipulators", Problems of Mechanics
+    15 (2004).
+
+    Example:
+        >>> arm = orthogonal_3r(1.0, 2.0, 1.5, 1.0)
+        >>> arm.position([0.5, 0.5, 0.5]).round(3)
+        array([ 2.607,  3.383, -1.59 ])
+        >>> arm.domain, arm.cuspidal, arm.cusps().round(3)[0]
+        (2, True, array([0, 0]))
+        >>> orthogonal_3r(1, 3, "3.75", 3, exact=True).surfaces
+        ('C2',)
+    """
+    if not exact:
+        return Orthogonal3R(families.orthogonal_3r(d2, d3, d4, r2))
+    found = [rational(value, name) for value, name in zip((d2, d3, d4, r2), ("d2", "d3", "d4", "r2"), strict=True)]
+    lengths = tuple(Fraction(int(value.p), int(value.q)) for value in found)
+    for name, length in zip(("d2", "d3", "d4", "r2"), lengths, strict=True):
+        try:
+            lost = float(length) == 0.0 != length
+        except OverflowError:
+            lost = True
+        if lost:
+            raise InputError(f"{name}: {shown(length)} is beyond the range of double precision")
+    return Orthogonal3R(families.orthogonal_3r(*(float(length) for length in lengths)), lengths)
+
+
+def regional_3r(arm: Arm) -> Orthogonal3R | Regional3R:
+    """What is known of an arm that positions a point with three revolute joints.
+
+    An arm of three revolute joints in space with any twists and offsets, its point the tool's origin; or an arm with six
+    revolute joints and a spherical wrist, its point the wrist's centre.
+
+    Raises:
+        InputError: any other arm.
+
+    Example:
+        >>> arm = Arm.from_dh([("R", 0.0, 0.0, 0.0, 0.0), ("R", 1.2, 1.0, 0.3, 0.0), ("R", -0.9, 1.5, 0.2, 0.0)],
+        ...                   tool=(1.2, 0.0, 0.0), name="twisted")
+        >>> design = regional_3r(arm)
+        >>> len(design.aspects())
+        0
+    """
+    if not isinstance(arm, Arm):
+        raise InputError(f"arm: {shown(arm)}; an Arm is accepted")
+    if isinstance(arm, Orthogonal3R):
+        return arm
+    if isinstance(arm.description.geometry, Lengths):
+        return Orthogonal3R(arm.description)
+    if arm.n == 6 and arm.kinds == "RRRRRR":
+        from chainrule.cuspidality.wrists import wrist
+
+        found = wrist(arm)
+        if found.regional is None:
+            raise InputError(
+                f"{arm.name}: {found.words}; an arm with a spherical wrist, or of three joints, is accepted"
+            )
+        return Regional3R(arm, Regional.of(found.regional))
+    return Regional3R(arm, Regional.of(arm))
