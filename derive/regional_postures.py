@@ -1,17 +1,18 @@
-"""How many postures of a 3R arm reach a point, and which: straight-line, for any target, tan(theta3 / 2) infinite or not.
+"""How many postures of a 3R arm reach a point, and which: straight-line, for every target.
 
 E of :mod:`chainrule.derive.regional_3r` as a trigonometric polynomial,
     E = alpha + 2 b c3 + 2 g s3 + delta cos(2 theta3) + eps sin(2 theta3),
-is the conic x^T N x, x = (c3, s3, 1), on the unit circle. The pencil N + lambda diag(-1, -1, 1) takes the same values there;
+is a conic x^T N x, x = (c3, s3, 1), on the unit circle. The pencil N + lambda diag(-1, -1, 1) takes the same values there;
 its degenerate members are pairs of lines, at the roots of
     det = lambda^3 + alpha lambda^2 + (k - m) lambda + n - alpha m,
     k = b^2 + g^2,   m = delta^2 + eps^2,   n = delta (b^2 - g^2) + 2 eps b g.
-Nothing here depends on where the angle is counted from. The cubic's discriminant is that of the quartic up to a positive
-factor; with lambda = x - alpha / 3 it is (4 I^3 - J^2) / 27,
+Nothing here depends on where the angle is counted from, so that no angle is special (tan(theta3 / 2) is infinite at one).
+With lambda = x - alpha / 3 the cubic's discriminant, the quartic's up to a positive factor, is (4 I^3 - J^2) / 27,
     I = alpha^2 + 3 m - 3 k,   J = 2 alpha^3 - 9 alpha k - 18 alpha m + 27 n.
-It is negative for two real postures, positive for four or none. Four if and only if the pair of lines is real at all three
-roots (for none, at one of them), that is, if u = lambda^2 + 2 alpha lambda + m + k, minus the sum of the principal minors
-of second order, is positive at all three: the first two symmetric functions of the three u are positive (the third always is).
+It is negative for two real postures, positive for four or none. Four if and only if the pair of lines is real at all
+three roots (for none it is at one of them), that is, if u = lambda^2 + 2 alpha lambda + m + k, minus the sum of the
+principal minors of second order, is positive at all three: the first two symmetric functions of the three u are positive
+(the third always is).
 """
 
 from __future__ import annotations
@@ -93,8 +94,10 @@ def trigonometric(steps: Steps, arm: Arm, rho_squared: Expression, z: Expression
     return Trigonometric(*scaled, steps.let("doubt", ROUNDING * largest * inverse))
 
 
-def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression]:
-    """The number of real roots, and a margin: above 1 rounding cannot have changed it.
+def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression, Expression]:
+    """The number of real roots; a margin, above 1 where rounding cannot have changed it; and what tells four from none.
+
+    The last is above 1 where a positive discriminant surely means four, below -1 where it surely means none.
 
     The coefficients are at most 1 in sum, and known to ``doubt`` each: I to 6 times that, J to 60 times, the two symmetric
     functions to 20 and 60 times, with room for the rounding of their own terms.
@@ -118,20 +121,20 @@ def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression]:
     even = steps.let("even", (1 + CopySign(_1, discriminant)) / 2)
     number = steps.let("number", 2 + even * CopySign(sp.Integer(2), four))
     beyond = steps.let("beyond", sp.Max(four, -four) + (1 - even) * clear)
-    return number, steps.let("margin", sp.Min(clear, beyond))
+    return number, steps.let("margin", sp.Min(clear, beyond)), four
 
 
 def number_of_postures(arm: Arm) -> Program:
     """The number of postures at a target (rho^2, z), and the margin of that answer."""
     steps = Steps()
     rho_squared, z = TARGET.symbols
-    number, margin = counted(steps, trigonometric(steps, arm, rho_squared, z))
+    number, margin, four = counted(steps, trigonometric(steps, arm, rho_squared, z))
     return Program(
         "number_of_postures",
         "how many postures reach a target; in double precision certainly so where the margin exceeds 1",
         (arm.inputs, TARGET),
         tuple(steps.steps),
-        (Output("number", (), (number,)), Output("margin", (), (margin,))),
+        (Output("number", (), (number,)), Output("margin", (), (margin,)), Output("four", (), (four,))),
     )
 
 
@@ -145,8 +148,8 @@ def positive(expression: Expression) -> Expression:
     return (1 + CopySign(_1, expression)) / 2
 
 
-def roots(steps: Steps, e: Trigonometric, number: Expression) -> tuple[list[Sequence[Expression]], list[Expression]]:
-    """Cosine and sine of four angles, and for each whether it is a root of E (1 or 0).
+def roots(steps: Steps, e: Trigonometric) -> tuple[list[Sequence[Expression]], list[Expression]]:
+    """Cosine and sine of four angles, in two pairs, and for each pair a number that is negative if it is not real.
 
     Turned by half the phase of (delta, eps), E = alpha + 2 b c + 2 g s + mu cos(2 psi). The cubic has a root lambda in
     [-mu, mu], where its sign changes, and there the pair of lines is real: with x = mu - lambda, y = mu + lambda,
@@ -196,17 +199,15 @@ def roots(steps: Steps, e: Trigonometric, number: Expression) -> tuple[list[Sequ
             ck, sk = steps.let("ck", choose(keep, cp, sp_)), steps.let("sk", choose(keep, sp_, cp))
             ends.append((steps.let("c", cos * ck - sin * sk), steps.let("s", sin * ck + cos * sk)))
         lines.append((room, ends))
-    first_line = steps.let("first_line", positive(lines[0][0] - lines[1][0]))
-    some, all_ = steps.let("some", Where(number, _1)), steps.let("all", Where(number - 2, Where(number, _1)))
-    valid = [steps.let("valid", some * sp.Max(all_, which)) for which in (first_line, 1 - first_line) for _ in range(2)]
-    return [polished(steps, e, c, s) for _, ends in lines for c, s in ends], valid
+    return [polished(steps, e, c, s) for _, ends in lines for c, s in ends], [room for room, _ in lines]
 
 
 def polished(steps: Steps, e: Trigonometric, c: Expression, s: Expression) -> Sequence[Expression]:
-    """Newton steps on E from an angle near a root, none longer than 0.001 rad."""
-    limit = sp.Rational(1, 1000)
+    """Newton steps on E from an angle near a root, none longer than 0.001 rad and none where the slope is rounding."""
+    limit, noise = sp.Rational(1, 1000), sp.Rational(1, 10**18)
     for _ in range(POLISHING_STEPS):
-        step = steps.let("step", -e.value(c, s) * GuardedInverse(2 * e.slope(c, s)))
+        slope = steps.let("half_slope", e.slope(c, s))
+        step = steps.let("newton_step", -e.value(c, s) * slope / (2 * (slope**2 + noise)))
         step = steps.let("step", sp.Max(sp.Min(step, limit), -limit))
         c, s = steps.let("c", c - s * step), steps.let("s", s + c * step)
         length = steps.let("length", GuardedInverse(sp.sqrt(c**2 + s**2)))
@@ -225,8 +226,8 @@ def postures(arm: Arm) -> Program:
     x, y, z = POINT.symbols
     rho_squared = steps.let("rho_squared", x**2 + y**2)
     e = trigonometric(steps, arm, rho_squared, z)
-    number, margin = counted(steps, e)
-    found, valid = roots(steps, e, number)
+    number, margin, four = counted(steps, e)
+    found, rooms = roots(steps, e)
     u, v = _at_target(steps, arm, rho_squared, z)
     half = steps.let("half_inverse", GuardedInverse(2 * arm.d2))
     across = _1 / arm.sa2 if arm.sa2.is_number else steps.let("sine_inverse", GuardedInverse(arm.sa2))
@@ -241,16 +242,17 @@ def postures(arm: Arm) -> Program:
         closures.append(closure)
     return Program(
         "postures",
-        "the postures that reach a point, valid (1) or not (0), the distance each leaves, and the slope of E there",
+        "two pairs of postures at a point, the room each pair has (real if positive), the distance each leaves, the slope of E",
         (arm.inputs, POINT),
         tuple(steps.steps),
         (
             Output("angles", (4, 3), tuple(angles)),
-            Output("valid", (4,), tuple(valid)),
+            Output("room", (2,), tuple(rooms)),
             Output("closure", (4,), tuple(closures)),
             Output("slope", (4,), tuple(e.slope(c, s) for c, s in found)),
             Output("number", (), (number,)),
             Output("margin", (), (margin,)),
+            Output("four", (), (four,)),
         ),
     )
 
@@ -287,11 +289,11 @@ def _posture(
 
 
 def postures_in_pairs(arm: Arm, parallel: bool) -> Program:
-    """The postures of an arm whose axes 1 and 2 intersect (d2 = 0) or are parallel (sa2 = 0): two for each of two theta3.
+    """The postures of an arm whose axes 1 and 2 intersect (d2 = 0) or are parallel (sa2 = 0).
 
-    E is a square there: U = 0 alone fixes theta3 where d2 = 0, and V = 0 where sa2 = 0, each of degree 1 in its cosine and
-    sine. The other equation gives B = V / sa2 or A = U / (2 d2), and A^2 + B^2 = W the missing one, with either sign. Square
-    roots of negative numbers are taken as 0: such a posture is one only if it closes.
+    E is a square there: U = 0 alone fixes theta3 where d2 = 0, and V = 0 where sa2 = 0, each of degree 1 in its cosine
+    and sine: two solutions. The other equation gives B = V / sa2 or A = U / (2 d2), and A^2 + B^2 = W the missing one,
+    with either sign. Square roots of negative numbers are taken as 0: such a posture is one only if it closes.
     """
     steps = Steps()
     x, y, z = POINT.symbols

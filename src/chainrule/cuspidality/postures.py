@@ -3,7 +3,8 @@
 The generated function ``postures`` answers in floating point, with a margin that tells where rounding might have changed
 the number of solutions, and how far from the point each solution is. Where the margin is not clear, a solution does not
 close, or two of them are not separate, the quartic is solved exactly: its coefficients at the binary value of what was
-given are fractions, its distinct real roots are isolated with a proof, and theta2, theta1 follow in ball arithmetic.
+given are fractions, the sign of its discriminant says how many roots are real, and where floating point did not find just
+as many that close, they are isolated with a proof; theta2 and theta1 then follow in ball arithmetic.
 """
 
 from __future__ import annotations
@@ -73,10 +74,10 @@ class Section:
 def postures(regional: Regional, points: Any) -> PostureSet:
     """Every posture of an arm that reaches each of ``points`` (..., 3), in m in the arm's base frame.
 
-    0 to 4 for a generic arm: 0, 2 or 4, and one less for every two that meet on a singular curve. None is lost next to a
-    singular curve: doubtful points are decided exactly, at the binary value of what was given. Every posture reaches its
-    point to 1e-12 of the arm's size. Where axes 1 and 2 intersect or are parallel the postures are found in closed form,
-    two for each of two theta3, and those that rounding cannot tell apart count once.
+    0, 2 or 4 for a generic arm, and one less for every two that meet, at points on a singular curve. None is lost next to
+    one: doubtful points are decided exactly, at the binary value of what was given. Every posture reaches its point to
+    1e-12 of the arm's size; of a pair that nearly meets, theta3 itself may be off by 1e-8 rad. Where axes 1 and 2
+    intersect or are parallel the postures are found in closed form, and those that rounding cannot tell apart count once.
 
     Raises:
         InputError: not finite real numbers of shape (..., 3); an arm whose axes 1 and 2 coincide, or whose three axes
@@ -120,10 +121,16 @@ def number_of_postures(regional: Regional, rho: Any, z: Any) -> Array:
     reachable = np.hypot(distances, heights) <= 2.0 * regional.size
     targets = np.stack([distances, heights], axis=-1)[reachable] * factor
     targets[:, 0] **= 2
-    number, margin = evaluator("number_of_postures")(values, targets)
+    number, margin, four = evaluator("number_of_postures")(values, targets)
     found = number.astype(int)
-    for k in np.flatnonzero(~(margin > 1.0)):
-        found[k] = _count(values, *np.stack([distances, heights], axis=-1)[reachable][k] * factor)
+    doubtful = np.flatnonzero(~(margin > 1.0))
+    points = np.stack([distances, np.zeros_like(distances), heights], axis=-1)[reachable][doubtful] * factor
+    for k, point, coefficients in zip(doubtful, points, _quartics(values, points), strict=True):
+        exact = _number(coefficients, four[k])
+        if exact is None:
+            every, loose = _elbows(coefficients, values, point)
+            exact = -1 if loose else len(every)
+        found[k] = exact
     whole = np.zeros(distances.shape, int)
     whole[reachable] = found
     return whole
@@ -194,21 +201,22 @@ def _sorted(angles: Array) -> Array:
 
 def _from_quartic(values: Array, points: Array) -> tuple[Array, Array, int]:
     """Postures (k, 4, 3), whether theta2 and theta3 are free (k, 2), and how many points were decided exactly."""
-    angles, valid, closure, slope, _, margin = evaluator("postures")(values, points)
-    invalid = valid == 0.0
-    angles[invalid] = np.nan
-    order = np.argsort(angles[..., 2], axis=-1)
-    slope = np.where(invalid, np.nan, slope)
-    turns = np.sign(np.take_along_axis(slope, order, axis=-1))
-    separate = np.where(np.isnan(turns[:, 1:]), True, turns[:, 1:] * turns[:, :-1] < 0.0).all(axis=-1)
-    closed = np.where(invalid, True, closure <= CLOSED).all(axis=-1)
-    free = np.zeros((len(points), 2), bool)
+    angles, room, closure, slope, number, margin, four = evaluator("postures")(values, points)
     pivots = list(_on_second_axis(values))
     touching = np.zeros(len(points), bool)
     for _, target in pivots:
         touching |= np.hypot(np.hypot(points[:, 0], points[:, 1]) - target[0], points[:, 2] - target[1]) <= CLOSED
-    doubtful = np.flatnonzero(~((margin > 1.0) & closed & separate) | touching)
-    for k in doubtful:
+    doubtful = np.flatnonzero(~(margin > 1.0) | touching)
+    quartics, rest = _quartics(values, points[doubtful]), np.zeros(len(points), bool)
+    for k, coefficients in zip(doubtful, quartics, strict=True):
+        exact = _number(coefficients, four[k])
+        rest[k] = exact is None or touching[k]
+        number[k] = -1.0 if exact is None else exact
+    valid = _valid(number, room)
+    sound = (~valid | (closure <= CLOSED)).all(axis=-1) & _separate(angles[..., 2], slope, valid, margin > 1.0)
+    angles[~valid] = np.nan
+    free = np.zeros((len(points), 2), bool)
+    for k in np.flatnonzero(~sound | rest):
         found, loose = _exactly(values, points[k])
         if touching[k]:
             found = _with_pivots(values, points[k], found, pivots)
@@ -216,34 +224,76 @@ def _from_quartic(values: Array, points: Array) -> tuple[Array, Array, int]:
         free[k, 1] = loose
         angles[k] = np.nan
         angles[k, : len(found)] = np.reshape(found, (-1, 3))
-    return angles, free, len(doubtful)
+    return angles, free, int((~sound | rest | ~(margin > 1.0)).sum())
+
+
+def _valid(number: Array, room: Array) -> Array:
+    """Which of the two pairs (k, 4) are postures: both of four, of two the pair with more room."""
+    first = room[:, 0] >= room[:, 1]
+    pair = np.stack([first, first, ~first, ~first], axis=-1)
+    found: Array = (number == 4.0)[:, None] | (number == 2.0)[:, None] & pair
+    return found
+
+
+def _separate(theta3: Array, slope: Array, valid: Array, clear: Array) -> Array:
+    """Whether postures are different roots: the slope changes its sign from each to the next.
+
+    Two that rounding cannot tell apart, where the number of roots was doubtful and is now known, are a pair that nearly
+    meets on a singular curve: either is as near to a root as doubles allow.
+    """
+    order = np.argsort(np.where(valid, theta3, np.inf), axis=-1)
+    angle, sign, known = (np.take_along_axis(part, order, axis=-1) for part in (theta3, np.sign(slope), valid))
+    alternating = sign[:, 1:] * sign[:, :-1] < 0.0
+    alike = (angle[:, 1:] - angle[:, :-1] <= 4.0 * ALIKE) & ~clear[:, None]
+    found: Array = (alternating | alike | ~known[:, 1:]).all(axis=-1)
+    return found
+
+
+def _quartics(values: Array, points: Array) -> Array:
+    """The exact coefficients (k, 5) of the quartics at points (k, 3)."""
+    numbers = _fractions(points)
+    targets = np.stack([numbers[:, 0] ** 2 + numbers[:, 1] ** 2, numbers[:, 2]], axis=-1)
+    found: Array = exact_function("quartic")(_fractions(values), targets)
+    return found
+
+
+def _number(coefficients: Array, four: float) -> int | None:
+    """The number of real roots, or None where two of them are equal or it takes more than the discriminant's sign."""
+    from flint import fmpq_poly
+
+    polynomial = fmpq_poly(list(coefficients)).numer()
+    if polynomial.degree() < 3:
+        return None
+    discriminant = polynomial.discriminant()
+    if discriminant < 0:
+        return 2
+    return (4 if four > 0.0 else 0) if discriminant > 0 and abs(four) > 1.0 else None
 
 
 def _exactly(values: Array, point: Array) -> tuple[list[Array], bool]:
     """All postures at one point from the exact quartic, and whether theta3 is free."""
     from flint import arb, ctx
 
-    parameters, (x, y, z) = _fractions(values), _fractions(point)
-    target = [x * x + y * y, z]
-    coefficients = exact_function("quartic")(parameters, _object(target))
     before, ctx.prec = ctx.prec, PRECISION
     try:
-        every, loose = _elbows(list(coefficients), values, point)
+        x, y, z = (arb(number) for number in _fractions(point))
+        target = _object([x * x + y * y, z])
+        every, loose = _elbows(_quartics(values, point[None])[0], values, point)
         found = []
-        parameters_on_balls = _object([arb(p) for p in parameters])
+        parameters = _object([arb(number) for number in _fractions(values)])
         for c3, s3 in every:
             elbow = _object([c3, s3])
-            ratio = exact_function("shoulder")(parameters_on_balls, _object([arb(t) for t in target]), elbow)
+            ratio = exact_function("shoulder")(parameters, target, elbow)
             c2, s2 = _direction(ratio[0], ratio[1])
-            at = exact_function("unturned")(parameters_on_balls, _object([c2, s2]), elbow)
-            turn = _angle(arb(x) * at[0] + arb(y) * at[1], arb(y) * at[0] - arb(x) * at[1])
+            at = exact_function("unturned")(parameters, _object([c2, s2]), elbow)
+            turn = _angle(x * at[0] + y * at[1], y * at[0] - x * at[1])
             found.append(np.array([turn, _angle(c2, s2), _angle(c3, s3)]))
         return found, loose
     finally:
         ctx.prec = before
 
 
-def _elbows(coefficients: list[Any], values: Array, point: Array) -> tuple[list[tuple[Any, Any]], bool]:
+def _elbows(coefficients: Array, values: Array, point: Array) -> tuple[list[tuple[Any, Any]], bool]:
     """Cosine and sine of every distinct real root of the quartic, as balls; every theta3 is one where it vanishes."""
     from flint import arb
 
@@ -251,7 +301,7 @@ def _elbows(coefficients: list[Any], values: Array, point: Array) -> tuple[list[
     constant = values[6] == 0.0 or values[3] == 0.0 == values[5]  # theta3 moves nothing in the cross-section
     if all(c == 0 for c in coefficients) or (constant and max(abs(float(c)) for c in coefficients) < doubt):
         return [(arb(1), arb(0))], True
-    found = [((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)) for t in real_roots(coefficients)]
+    found = [((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)) for t in real_roots(list(coefficients))]
     if coefficients[4] == 0:
         found.append((arb(-1), arb(0)))
     return found, False
@@ -270,16 +320,12 @@ def real_roots(coefficients: list[Any]) -> list[Any]:
     return [root.real for root, _ in simple.complex_roots() if root.imag == 0]
 
 
-def _count(values: Array, rho: float, z: float) -> int:
-    """The number of distinct postures of one target, exactly."""
-    found, loose = _exactly(values, np.array([rho, 0.0, z]))
-    return -1 if loose else len(found)
-
-
 def _fractions(numbers: Array) -> Array:
+    """Doubles at their binary value, an object array of the same shape."""
     from flint import fmpq
 
-    return _object([fmpq(*float(x).as_integer_ratio()) for x in numbers])
+    found = _object([fmpq(*x.as_integer_ratio()) for x in numbers.ravel().tolist()])
+    return found.reshape(numbers.shape)
 
 
 def _object(numbers: list[Any]) -> Array:
