@@ -1,0 +1,188 @@
+"""How many postures reach a target, exactly: the number of different real roots of its quartic.
+
+Every real root theta3 gives one theta2 and, off the first axis, one theta1. Where the point lies on the first axis theta1 is
+free; where it can lie on the second one theta2 is: both are said. Floats decide almost all targets of a batch; the rest,
+next to singular curves, is decided here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chainrule.cuspidality.exact import rational, real_roots, sign
+from chainrule.cuspidality.normal_form import ORTHOGONAL_3R, exact_function
+from chainrule.cuspidality.parameters import exact_parameters, orthogonal_lengths
+from chainrule.description import REGIONAL_3R
+from chainrule.errors import InputError, shown
+
+Array = NDArray[Any]
+
+
+@dataclass(frozen=True)
+class PostureCount:
+    """How many postures reach a target.
+
+    Attributes:
+        number: of different theta3; None where every theta3 reaches it.
+        multiplicities: of each, by rising tan(theta3 / 2), theta3 = pi last; all 1 off the singular curves.
+        free: joints whose angle is arbitrary in some or all of these postures: "theta1", "theta2", "theta3".
+    """
+
+    number: int | None
+    multiplicities: tuple[int, ...]
+    free: tuple[str, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        return asdict(self)
+
+
+def discriminant_signs(e: Any) -> tuple[int, int, int]:
+    """Signs of the discriminant D, P = 8 a c - 3 b^2 and Q of a quartic a t^4 + b t^3 + .. given lowest power first.
+
+    With Q = 64 a^3 e - 16 a^2 c^2 + 16 a b^2 c - 16 a^2 b d - 3 b^4 and a not 0 (E. L. Rees, "Graphical discussion of the roots
+    of a quartic equation", American Mathematical Monthly 29, 1922): two real roots where D < 0, four where D > 0 and P, Q < 0,
+    none where D > 0 otherwise.
+    """
+    from chainrule.cuspidality.invariants import invariants
+
+    e0, e1, e2, e3, e4 = e
+    first, second = invariants(e)
+    discriminant = 4 * first * first * first - second * second
+    if discriminant < 0:
+        return -1, 0, 0
+    p = 8 * e4 * e2 - 3 * e3 * e3
+    square = e4 * e4
+    q = 64 * square * e4 * e0 - 16 * square * (e2 * e2 + e3 * e1) + 16 * e4 * e3 * e3 * e2 - 3 * e3 * e3 * e3 * e3
+    return sign(discriminant), sign(p), sign(q)
+
+
+def count_postures(arm: Any, target: Any) -> PostureCount:
+    """The postures of a 3R arm at one target, counted exactly.
+
+    Args:
+        arm: what :func:`chainrule.cuspidality.parameters.exact_parameters` takes.
+        target: (rho^2, z), or (x, y, z), in the normal form's frame: numbers as :func:`rational` takes them.
+
+    Raises:
+        InputError: a target of another length, with an entry that is no number, or with negative rho^2.
+
+    Example:
+        >>> count_postures([1, 2, "1.5", 1], ["6.25", 0]).number
+        4
+    """
+    parameters = exact_parameters(arm)
+    square, z = exact_target(target)
+    lengths = orthogonal_lengths(parameters)
+    model, given = (REGIONAL_3R, parameters) if lengths is None else (ORTHOGONAL_3R, lengths)
+    values = np.empty(2, object)
+    values[:] = square, z
+    return _count(parameters, exact_function("quartic", model)(given, values).tolist(), square == 0)
+
+
+def exact_target(target: Any) -> tuple[Any, Any]:
+    """(rho^2, z) as ``fmpq``, of (rho^2, z) or (x, y, z)."""
+    entries = list(target)
+    if len(entries) == 3:
+        x, y, z = (rational(value, name) for value, name in zip(entries, "xyz", strict=True))
+        return x * x + y * y, z
+    if len(entries) != 2:
+        raise InputError(f"target: {shown(target)}; (rho^2, z) or (x, y, z) is accepted")
+    square, z = rational(entries[0], "rho^2"), rational(entries[1], "z")
+    if square < 0:
+        raise InputError(f"rho^2: {square}; a number that is not negative is accepted")
+    return square, z
+
+
+def _simple(e: list[Any]) -> int | None:
+    """The number of real roots of a quartic without multiple ones, lowest power first; None where it may be otherwise."""
+    if e[4] == 0:
+        return None
+    discriminant, p, q = discriminant_signs(e)
+    if discriminant == 0:
+        return None
+    return 2 if discriminant < 0 else 4 if p < 0 and q < 0 else 0
+
+
+def _count(parameters: Array, e: list[Any], on_axis: bool) -> PostureCount:
+    from flint import fmpq_poly
+
+    free = ("theta1",) if on_axis else ()
+    number = _simple(e)
+    if number is not None:
+        return PostureCount(number, (1,) * number, free)
+    polynomial = fmpq_poly(e)
+    if polynomial.degree() < 0:
+        return PostureCount(None, (), (*free, "theta3"))
+    multiplicities = [root.multiplicity for root in real_roots(polynomial)]
+    if polynomial.degree() < 4:
+        multiplicities.append(4 - polynomial.degree())
+    if _on_second_axis(parameters, polynomial):
+        free = (*free, "theta2")
+    return PostureCount(len(multiplicities), tuple(multiplicities), free)
+
+
+def _on_second_axis(parameters: Array, quartic: Any) -> bool:
+    """Whether f1 = f2 = 0 at a real root of the quartic.
+
+    They are read off the generated ``image``: z changes by 2 sa2 f1 between theta2 = -90 and 90 deg, by 2 sa2 f2 between 180
+    and 0; as polynomials of degree 2 in tan(theta3 / 2) they are known from three places.
+    """
+    from flint import fmpq, fmpq_poly
+
+    image = exact_function("image")
+    common = quartic
+    for shoulder in ((0, 1), (1, 0)):
+        values = []
+        for elbow in ((1, 0), (0, 1), (0, -1), (-1, 0)):  # t = 0, 1, -1, infinity
+            ends = [image(parameters, _pair(k * shoulder[0], k * shoulder[1]), _pair(*elbow))[1] for k in (1, -1)]
+            values.append(fmpq(ends[0] - ends[1]))
+        at_zero, at_one, at_minus_one, at_infinity = values
+        form = fmpq_poly([at_zero, at_one - at_minus_one, at_infinity])
+        if at_infinity != 0 or form.degree() >= 0:
+            common = common.gcd(form)
+    infinite = quartic.degree() < 4 and all(
+        image(parameters, _pair(*shoulder), _pair(-1, 0))[1]
+        == image(parameters, _pair(-shoulder[0], -shoulder[1]), _pair(-1, 0))[1]
+        for shoulder in ((0, 1), (1, 0))
+    )
+    return infinite or (common.degree() > 0 and bool(real_roots(common)))
+
+
+def _pair(first: int, second: int) -> Array:
+    from flint import fmpq
+
+    found = np.empty(2, object)
+    found[0], found[1] = fmpq(first), fmpq(second)
+    return found
+
+
+def count_doubtful(arm: Any, targets: Any, numbers: Any, doubtful: Any) -> Array:
+    """Counts of a batch, the doubtful ones decided exactly.
+
+    Args:
+        arm: what :func:`chainrule.cuspidality.parameters.exact_parameters` takes.
+        targets: (..., 2) of rho^2 and z, floats, taken at their binary value.
+        numbers: (...) counts that floats gave.
+        doubtful: (...) which of them to replace.
+
+    Returns:
+        (...) different postures; -1 where every theta3 reaches the target.
+    """
+    parameters = exact_parameters(arm)
+    lengths = orthogonal_lengths(parameters)
+    model, given = (REGIONAL_3R, parameters) if lengths is None else (ORTHOGONAL_3R, lengths)
+    found: Array = np.array(numbers)
+    places = np.nonzero(doubtful)
+    chosen = np.asarray(targets)[places]
+    if len(chosen):
+        exact = np.empty(chosen.shape, object)
+        exact[:] = [exact_target(row) for row in chosen.tolist()]
+        quartics = exact_function("quartic", model)(given, exact).tolist()
+        counts = [_count(parameters, e, square == 0).number for e, square in zip(quartics, exact[:, 0], strict=True)]
+        found[places] = [-1 if number is None else number for number in counts]
+    return found
