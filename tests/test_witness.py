@@ -169,9 +169,9 @@ def test_proved_neighbour_is_a_solution_at_high_precision(name: str) -> None:
 @pytest.mark.parametrize("name", ["puma560", "crx10ial", "jaco2", "gofa5", "ur5e"])
 def test_inverse_solutions_are_all_found_again_from_other_starts(name: str) -> None:
     arm, rng = cr.load(name), np.random.default_rng(5)
-    for q in rng.uniform(-np.pi, np.pi, (6, 6)):
+    for q in rng.uniform(-np.pi, np.pi, (3, 6)):
         target = arm.pose(q)
-        few, many = inverse_solutions(arm, target), inverse_solutions(arm, target, starts=4000, seed=1)
+        few, many = inverse_solutions(arm, target), inverse_solutions(arm, target, starts=2000, seed=1)
         assert len(few) == len(many)  # even numbers, at most 16
         assert len(few) % 2 == 0 and len(few) <= 16
         np.testing.assert_allclose(few, many, rtol=0, atol=1e-7)
