@@ -42,7 +42,7 @@ def conic(where: Arm) -> sp.Matrix:
 
 
 def conic_terms(where: Arm) -> Program:
-    """The conic times d4^2, entry by entry as polynomials in R and z.
+    """The conic times 4 d4^2, which is E, entry by entry as polynomials in R and z.
 
     Output ``conic`` (6, 5): entries 11, 12, 22, 13, 23, 33; coefficients of 1, R, z, R^2, z^2.
     """
@@ -50,7 +50,7 @@ def conic_terms(where: Arm) -> Program:
     matrix = conic(where)
     entries: list[Expression] = []
     for i, j in ((0, 0), (0, 1), (1, 1), (0, 2), (1, 2), (2, 2)):
-        terms = sp.Poly(matrix[i, j] * where.d4**2, R, Z)
+        terms = sp.Poly(sp.expand(4 * matrix[i, j] * where.d4**2), R, Z)  # whole factors: exact on fractions
         known = {power: factor for power, factor in terms.terms() if factor != 0}
         if not set(known) <= set(POWERS):
             raise ValueError("the conic has a term that was not foreseen")
@@ -60,7 +60,7 @@ def conic_terms(where: Arm) -> Program:
         ]
     return Program(
         "conic_terms",
-        "d4^2 times the conic whose double contact with the unit circle is a node, by powers of R and z",
+        "the conic E whose double contact with the unit circle is a node, by powers of R and z",
         (where.inputs,),
         tuple(steps.steps),
         (Output("conic", (6, 5), tuple(entries)),),

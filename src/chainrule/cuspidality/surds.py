@@ -84,3 +84,20 @@ class Surd:
 def reciprocal(value: Any) -> Any:
     """1 / value of a number that is not zero."""
     return value.inverse() if isinstance(value, Surd) else 1 / value
+
+
+def square_root(d: Any) -> Any:
+    """sqrt(d) of a number that is not negative: rational where it is, else a :class:`Surd`.
+
+    Example:
+        >>> from flint import fmpq
+        >>> square_root(fmpq(9, 4)), square_root(fmpq(2)).sign()
+        (3/2, 1)
+    """
+    from flint import fmpq
+
+    if not isinstance(d, Surd):
+        above, below = d.p.isqrt(), d.q.isqrt()
+        if above * above == d.p and below * below == d.q:
+            return fmpq(above, below)
+    return Surd(d * 0, d * 0 + 1, d)
