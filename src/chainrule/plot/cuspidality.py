@@ -48,7 +48,7 @@ def draw_design(design: Regional3R, change: PostureChange | None = None) -> Figu
         >>> from chainrule import orthogonal_3r
         >>> drawing = draw_design(orthogonal_3r(1.0, 2.0, 1.5, 1.0))
         >>> drawing.get_suptitle().splitlines()[0]
-        'Cuspidal: 4 cusps, 2 nodes; up to 4 postures'
+        'Cuspidal: 4 cusps, 0 nodes; up to 4 postures'
     """
     with styled():
         drawing = Figure(figsize=(WIDTH * 1.75, WIDTH * 1.02), layout="constrained")
@@ -179,9 +179,18 @@ def _widest(mask: Array) -> tuple[int, int]:
     depth = distance_transform_cdt(padded)[
         (rows - 1) // 2 : -((rows - 1) // 2), (columns - 1) // 2 : -((columns - 1) // 2)
     ]
-    middle = np.hypot(*np.meshgrid(*(np.linspace(-1, 1, n - 1) for n in (rows, columns)), indexing="ij"))
-    best = np.unravel_index(int(np.argmax(depth - 4.0 * middle)), depth.shape)
+    margin = np.minimum(*np.meshgrid(*(_from_edge(n - 1) for n in (rows, columns)), indexing="ij"))
+    best = np.unravel_index(
+        int(np.argmax(np.minimum(depth, 0.25 * rows) + np.minimum(margin, 0.1) * 10.0 * rows)), depth.shape
+    )
     return int(best[0]), int(best[1])
+
+
+def _from_edge(count: int) -> Array:
+    """How far places on a line are from its nearer end, as a share of its length: names are not cut off there."""
+    place = (np.arange(count) + 0.5) / count
+    found: Array = np.minimum(place, 1.0 - place)
+    return found
 
 
 def _change(joint: Axes, section: Axes, design: Regional3R, change: PostureChange) -> None:
@@ -189,8 +198,8 @@ def _change(joint: Axes, section: Axes, design: Regional3R, change: PostureChang
     s = np.linspace(0.0, 1.0, 801)
     q = change.sample(s)
     for axes, line in ((joint, _broken(q[:, 1:])), (section, change.image(801))):
-        axes.plot(*line.T, color=COLOURS["paper"], lw=3.6, zorder=6.5)
-        axes.plot(*line.T, color=COLOURS["accent"], lw=1.8, zorder=7)
+        axes.plot(*line.T, color=COLOURS["paper"], lw=3.6, zorder=4.5)
+        axes.plot(*line.T, color=COLOURS["accent"], lw=1.8, zorder=4.6)
     for axes, ends in ((joint, _broken(q[[0, -1], 1:])), (section, change.image(801)[[0, -1]])):
         ends = ends[~np.isnan(ends).any(axis=1)]
         axes.plot(*ends[:1].T, "o", ms=7, mfc=COLOURS["paper"], mec=COLOURS["accent"], mew=1.8, zorder=8)
