@@ -19,6 +19,7 @@ from chainrule.derive import (
     manipulability,
     nodes_3r,
     orthogonal_3r,
+    orthogonal_designs,
     planar,
     planar_3r,
     planar_motion,
@@ -176,6 +177,8 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: regional_postures.number_of_postures(s.regional)),
     Entry("cuspidality", lambda s: regional_postures.postures(s.regional)),
     *(Entry("cuspidality", partial(postures_in_pairs, parallel=parallel)) for parallel in (False, True)),
+    Entry("cuspidality", lambda s: orthogonal_designs.classify() if s.closed is orthogonal_3r else None),
+    Entry("cuspidality", lambda s: orthogonal_designs.sides_of_surfaces() if s.closed is orthogonal_3r else None),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -209,7 +212,7 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
         if group == "cuspidality":
-            return (nodes_3r, orthogonal_3r, regional_postures)
+            return (nodes_3r, orthogonal_designs, regional_postures)
         return ({"motion": planar_motion, "speed_ratio": ratios}.get(group, family),)
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     general = [manipulability] if group in tasks else []

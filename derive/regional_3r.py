@@ -202,8 +202,9 @@ def cusp_condition(where: Arm) -> Expression:
     E' = E'' = 0 are linear in U and V with the determinant k1 l2, so that
         sa2^2 U k1 l2 = 2 P,   d2^2 V k1 l2 = Q,   P = rho1 g4' - rho2 g4,   Q = g3 rho2 - g3' rho1;
     put into E: d2^2 P^2 + sa2^2 Q^2 - d2^4 sa2^4 (k1 l2)^2 W = 0, of degree 6 in cosines and sines, 12 in the half
-    tangent. Where F4 is constant (l2 = 0) the conditions do not hold V: they agree on U only if Q = 0, and Q / sa2^2, of
-    degree 3 (6 in the half tangent), takes the place of the condition; V^2 follows from E and must not be negative.
+    tangent. Where F4 is constant (l2 = 0) the conditions do not hold V: they agree on U only if Q = 0, and Q / sa2^2,
+    of degree 3 (6 in the half tangent), takes the place of the condition; V^2 follows from E and must not be
+    negative.
     """
     g3, g4, gw = where.slopes
     if where.right_angle:
@@ -305,10 +306,10 @@ def determinant_terms(where: Arm) -> Program:
 def triple_point(where: Arm) -> Program:
     """The target of a triple root at given c3, s3 on the cusp polynomial, as numerators and one denominator.
 
-    The first two entries over the third are (rho^2, z), or (rho^2, z^2) where alpha2 = +-90 deg; nothing is divided here,
-    so that the entries are polynomials. In the first case U = 2 P / (sa2^2 k1 l2) and V = Q / (d2^2 k1 l2), as in
-    :func:`cusp_condition`. In the second the two conditions are combined, since g3^2 + g3'^2 = k1^2 + k2^2:
-    U = 2 (rho1 g3 + rho2 g3') / (sa2^2 (k1^2 + k2^2)), and z^2 = V^2 = sa2^2 (W - U^2 / (4 d2^2)); a negative one is no
+    The first two entries over the third are (rho^2, z), or (rho^2, z^2) where alpha2 = +-90 deg; nothing is divided
+    here, so that the entries are polynomials. In the first case U = 2 P / (sa2^2 k1 l2) and V = Q / (d2^2 k1 l2), as
+    in :func:`cusp_condition`. In the second the two conditions are combined, since g3^2 + g3'^2 = k1^2 + k2^2: U = 2
+    (rho1 g3 + rho2 g3') / (sa2^2 (k1^2 + k2^2)), and z^2 = V^2 = sa2^2 (W - U^2 / (4 d2^2)); a negative one is no
     cusp.
     """
     steps = Steps()
@@ -343,7 +344,7 @@ def triple_point(where: Arm) -> Program:
 
 
 def shoulder(where: Arm) -> Program:
-    """theta2 of a posture: numbers in the ratio of its cosine and sine, and W; no posture's theta2 is fixed where W = 0.
+    """theta2 of a posture: numbers in the ratio of its cosine and sine, and W (theta2 is free where W = 0).
 
     2 d2 A = R - F3 and sa2 B = z - F4 give W (cos theta2, sin theta2) = (A f1 + B f2, B f1 - A f2); multiplied by
     2 (d2 sa2)^2 nothing is divided.

@@ -2,17 +2,18 @@
 
 E of :mod:`chainrule.derive.regional_3r` as a trigonometric polynomial,
     E = alpha + 2 b c3 + 2 g s3 + delta cos(2 theta3) + eps sin(2 theta3),
-is a conic x^T N x, x = (c3, s3, 1), on the unit circle. The pencil N + lambda diag(-1, -1, 1) takes the same values there;
-its degenerate members are pairs of lines, at the roots of
+is a conic x^T N x, x = (c3, s3, 1), on the unit circle. The pencil N + lambda diag(-1, -1, 1) takes the same values
+there; its degenerate members are pairs of lines, at the roots of
     det = lambda^3 + alpha lambda^2 + (k - m) lambda + n - alpha m,
     k = b^2 + g^2,   m = delta^2 + eps^2,   n = delta (b^2 - g^2) + 2 eps b g.
-Nothing here depends on where the angle is counted from, so that no angle is special (tan(theta3 / 2) is infinite at one).
-With lambda = x - alpha / 3 the cubic's discriminant, the quartic's up to a positive factor, is (4 I^3 - J^2) / 27,
+Nothing here depends on where the angle is counted from, so that no angle is special (tan(theta3 / 2) is infinite at
+one). With lambda = x - alpha / 3 the cubic's discriminant, the quartic's up to a positive factor, is (4 I^3 - J^2) /
+27,
     I = alpha^2 + 3 m - 3 k,   J = 2 alpha^3 - 9 alpha k - 18 alpha m + 27 n.
 It is negative for two real postures, positive for four or none. Four if and only if the pair of lines is real at all
 three roots (for none it is at one of them), that is, if u = lambda^2 + 2 alpha lambda + m + k, minus the sum of the
-principal minors of second order, is positive at all three: the first two symmetric functions of the three u are positive
-(the third always is).
+principal minors of second order, is positive at all three: the first two symmetric functions of the three u are
+positive (the third always is).
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from chainrule.derive.program import CopySign, Expression, GuardedInverse, Input, Output, Program, Steps, Where
-from chainrule.derive.regional_3r import TARGET, C, S, Arm, mismatch, named, reduced
+from chainrule.derive.regional_3r import TARGET, Arm, C, S, mismatch, named, reduced
 
 _0, _1 = sp.Integer(0), sp.Integer(1)
 
@@ -99,8 +100,8 @@ def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression, Exp
 
     The last is above 1 where a positive discriminant surely means four, below -1 where it surely means none.
 
-    The coefficients are at most 1 in sum, and known to ``doubt`` each: I to 6 times that, J to 60 times, the two symmetric
-    functions to 20 and 60 times, with room for the rounding of their own terms.
+    The coefficients are at most 1 in sum, and known to ``doubt`` each: I to 6 times that, J to 60 times, the two
+    symmetric functions to 20 and 60 times, with room for the rounding of their own terms.
     """
     a, b, g, delta, eps = e.alpha, e.b, e.g, e.delta, e.eps
     bb, gg = steps.let("bb", b**2), steps.let("gg", g**2)
@@ -242,7 +243,7 @@ def postures(arm: Arm) -> Program:
         closures.append(closure)
     return Program(
         "postures",
-        "two pairs of postures at a point, the room each pair has (real if positive), the distance each leaves, the slope of E",
+        "two pairs of postures at a point, the room of each pair (real if positive), the distances left, the slopes of E",
         (arm.inputs, POINT),
         tuple(steps.steps),
         (

@@ -1,8 +1,8 @@
 """Any arm of three revolute joints that positions a point, in the normal form of ``chainrule.derive.regional_3r``.
 
 Between two joints the fixed transform is Rz(before) Tz(height) Rx(alpha) Tx(d) Rz(after) Tz(r), with the common normal
-of the two axes in the middle; what is left of it besides (alpha, d) goes into the joints' offsets and r. Lengths d2, d3,
-d4 are never negative. Where alpha2 and alpha3 are right angles and r3 = 0, axes are reversed so that sa2 = -1 and
+of the two axes in the middle; what is left of it besides (alpha, d) goes into the joints' offsets and r. Lengths d2,
+d3, d4 are never negative. Where alpha2 and alpha3 are right angles and r3 = 0, axes are reversed so that sa2 = -1 and
 sa3 = 1: the orthogonal family of Baili, Wenger and Chablat.
 """
 
@@ -27,7 +27,7 @@ from chainrule.inputs import real_array, whole_number
 
 Array = NDArray[Any]
 
-#: A sine of a twist below the first counts as 0 (parallel axes), a cosine below the second too (crossed at right angles).
+#: A sine of a twist below the first counts as 0 (parallel axes), and a cosine below the second (a right angle).
 PARALLEL, CROSSED = 1e-12, 1e-15
 
 ORTHOGONAL_3R = Model("orthogonal_3r", "orthogonal_3r", "RRR", ("d2", "d3", "d4", "r2"))

@@ -1,10 +1,11 @@
 """Every posture of a 3R arm that reaches a point, and how many there are.
 
-The generated function ``postures`` answers in floating point, with a margin that tells where rounding might have changed
-the number of solutions, and how far from the point each solution is. Where the margin is not clear, a solution does not
-close, or two of them are not separate, the quartic is solved exactly: its coefficients at the binary value of what was
-given are fractions, the sign of its discriminant says how many roots are real, and where floating point did not find just
-as many that close, they are isolated with a proof; theta2 and theta1 then follow in ball arithmetic.
+The generated function ``postures`` answers in floating point, with a margin that tells where rounding might have
+changed the number of solutions, and how far from the point each solution is. Where the margin is not clear, a
+solution does not close, or two of them are not separate, the quartic is solved exactly: its coefficients at the
+binary value of what was given are fractions, the sign of its discriminant says how many roots are real, and where
+floating point did not find just as many that close, they are isolated with a proof; theta2 and theta1 then follow in
+ball arithmetic.
 """
 
 from __future__ import annotations
@@ -74,10 +75,11 @@ class Section:
 def postures(regional: Regional, points: Any) -> PostureSet:
     """Every posture of an arm that reaches each of ``points`` (..., 3), in m in the arm's base frame.
 
-    0, 2 or 4 for a generic arm, and one less for every two that meet, at points on a singular curve. None is lost next to
-    one: doubtful points are decided exactly, at the binary value of what was given. Every posture reaches its point to
-    1e-12 of the arm's size; of a pair that nearly meets, theta3 itself may be off by 1e-8 rad. Where axes 1 and 2
-    intersect or are parallel the postures are found in closed form, and those that rounding cannot tell apart count once.
+    0, 2 or 4 for a generic arm, and one less for every two that meet, at points on a singular curve. None is lost
+    next to one: doubtful points are decided exactly, at the binary value of what was given. Every posture reaches its
+    point to 1e-12 of the arm's size; of a pair that nearly meets, theta3 itself may be off by 1e-8 rad. Where axes 1
+    and 2 intersect or are parallel the postures are found in closed form, and those that rounding cannot tell apart
+    count once.
 
     Raises:
         InputError: not finite real numbers of shape (..., 3); an arm whose axes 1 and 2 coincide, or whose three axes
