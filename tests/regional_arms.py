@@ -20,7 +20,7 @@ def orthogonal(rng: np.random.Generator) -> Any:
 
 
 def general(rng: np.random.Generator) -> Any:
-    """A random 3R arm: any twists and offsets, joint angles counted from anywhere, a tip off the last joint's x axis."""
+    """A random 3R arm: any twists and offsets, angles counted from anywhere, a tip off the last joint's x axis."""
     (a2, a3), (o1, o2, o3) = rng.uniform(-math.pi, math.pi, 2), rng.uniform(-2.0, 2.0, 3)
     d2, d3, r1, r2, r3 = rng.uniform(0.3, 2.0, 5) * rng.choice([1.0, -1.0], 5)
     rows = [("R", 0.0, 0.0, r1, o1), ("R", a2, d2, r2, o2), ("R", a3, d3, r3, o3)]
@@ -28,7 +28,7 @@ def general(rng: np.random.Generator) -> Any:
 
 
 def tip_and_determinant(design: Any, q: Any) -> tuple[np.ndarray, np.ndarray]:
-    """The tip (..., 3) and det J (...) of the position at q (..., 3), by multiplying transforms and by z x (p - p_i)."""
+    """The tip (..., 3) and det J (...) of the position at q (..., 3), from transforms and z x (p - p_i)."""
     geometry = design.description.geometry if hasattr(design, "description") else design.arm.description.geometry
     placements, tool = _placements(geometry)
     q = np.asarray(q, float)

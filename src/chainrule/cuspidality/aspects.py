@@ -168,7 +168,7 @@ def components(cuts: Critical, sign: int) -> list[tuple[float, float, bool]]:
         while j < i + count and not ends[j % count] and open_after[j % count]:
             j += 1
         lower, upper = cuts.theta3[i], cuts.theta3[j % count]
-        found.append((lower, upper if upper > lower else upper + TURN, False))
+        found.append((lower, upper + TURN if j >= count else upper, False))
     return found
 
 

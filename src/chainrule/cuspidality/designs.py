@@ -1,8 +1,8 @@
 """The face: what a user asks of a 3R arm.
 
 :class:`Orthogonal3R` is an arm of the family of Baili, Wenger and Chablat, with everything an
-:class:`~chainrule.Arm` has; :class:`Regional3R` speaks of any arm of three revolute joints that positions a point, or of
-the part of a six-joint arm before its spherical wrist. Both answer the same questions (:class:`Answers`).
+:class:`~chainrule.Arm` has; :class:`Regional3R` speaks of any arm of three revolute joints that positions a point, or
+of the part of a six-joint arm before its spherical wrist. Both answer the same questions (:class:`Answers`).
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ from chainrule.readers import families
 if TYPE_CHECKING:
     from chainrule.cuspidality.aspects import Aspect
     from chainrule.cuspidality.cuspidal import Example
+    from chainrule.cuspidality.domains import Domain
     from chainrule.cuspidality.feasible import FeasiblePostures
     from chainrule.cuspidality.posture_change import PostureChange
     from chainrule.cuspidality.singular_curves import SingularCurve
@@ -69,8 +70,8 @@ class Answers:
     """What is known of a 3R arm that positions a point: cusps, nodes, postures, aspects and the way between postures.
 
     Angles are the arm's own joints, in rad. (rho, z) are the distance from the first joint's axis and the height along
-    it, in m, in the frame of the normal form (:attr:`regional`; for an orthogonal arm that of the base). Joint limits
-    play no part.
+    it, in m, in the frame of the normal form (:attr:`regional`; for an orthogonal arm that is the base, turned upside
+    down where lengths of negative sign need it). Joint limits play no part.
     """
 
     _regional: Regional
@@ -86,12 +87,18 @@ class Answers:
         return self._regional.nongeneric
 
     @cached_property
-    def cuspidal(self) -> bool:
+    def cuspidal(self) -> bool | None:
         """Whether the arm can change its posture without meeting a singularity.
 
         A generic arm can exactly if it has a cusp (Salunkhe et al. 2022); those named in :attr:`nongeneric` cannot.
+        None where cusps are just about to appear (four equal roots, two cusps in one): the theorem is silent there.
         """
-        return not self.nongeneric and len(self.cusps()) > 0
+        from chainrule.cuspidality.cusps import certified_cusps
+
+        found = certified_cusps(self._regional)
+        if found.cusps:
+            return True
+        return None if found.events and not self.nongeneric else False
 
     @property
     def exact(self) -> bool:
@@ -120,7 +127,10 @@ class Answers:
         return singular_curves(self._regional, points)
 
     def aspects(self) -> tuple[Aspect, ...]:
-        """The connected components of the joint space without singularities, as :mod:`chainrule.cuspidality.aspects`."""
+        """The connected components of the joint space without singularities.
+
+        See :mod:`chainrule.cuspidality.aspects`.
+        """
         from chainrule.cuspidality.aspects import aspects
 
         return aspects(self._regional)
@@ -177,8 +187,9 @@ class Answers:
         return feasible_postures(self._regional, path)
 
     def postures(self, x: Any, y: Any, z: Any) -> Array:
-        """Every posture that reaches the point (x, y, z) m of the base frame: (k, 3) rad in (-pi, pi], by rising theta3.
+        """Every posture that reaches the point (x, y, z) m of the base frame: (k, 3) rad, by rising third joint.
 
+        Angles are in (-pi, pi].
         None is lost, see :func:`chainrule.cuspidality.postures.postures`, which takes any number of points at once and
         says which joints are free.
 
@@ -193,11 +204,19 @@ class Answers:
         found = postures(self._regional, _point(x, y, z))
         if found.free.any():
             joints = " and ".join(f"joint {i + 1}" for i in np.flatnonzero(found.free))
-            warnings.warn(
-                f"{joints} can have any angle at this point: the ones given stand for all", FreeJointWarning, 2
-            )
+            warnings.warn(f"{joints} can have any angle at this point", FreeJointWarning, 2)
         rows: Array = found.q[: int(found.count)] if found.count >= 0 else found.q[np.isfinite(found.q[:, 0])]
         return rows
+
+    def section(self, points: Any) -> Array:
+        """(rho, z) (..., 2) of points (..., 3) of the base frame, as the other answers count them, in m."""
+        from chainrule.inputs import real_array
+
+        given = real_array(points, "points")
+        if given.shape[-1:] != (3,):
+            raise InputError(f"points: an array of shape {given.shape}; (..., 3) is accepted")
+        found = self._regional.point_to_normal(given)
+        return np.stack([np.hypot(found[..., 0], found[..., 1]), found[..., 2]], axis=-1)
 
     def number_of_postures(self, rho: Any, z: Any) -> Array:
         """How many postures reach points (rho, z) of the cross-section: 0 to 4, of the shape they broadcast to.
@@ -276,11 +295,11 @@ class Orthogonal3R(Answers, Arm):
 
     @property
     def domain(self) -> int | None:
-        """The domain of the design space, 1 to 5; None on a surface between two (see :attr:`surfaces`).
+        """The domain of the design space, 1 to 5; None on a surface between two (see :attr:`surfaces`), or for r2 = 0.
 
         The domains have 0, 4, 2, 4, 0 cusps (Baili, Wenger and Chablat 2004, section III, with its corrections).
         """
-        return self._place.domain
+        return self._place.number
 
     @property
     def surfaces(self) -> tuple[str, ...]:
@@ -291,27 +310,33 @@ class Orthogonal3R(Answers, Arm):
         return self._place.surfaces
 
     @property
-    def topology(self) -> tuple[int, int]:
-        """(number of cusps, number of nodes): one of 0/0, 4/2, 4/0, 2/1, 2/3, 4/4, 0/2 off the surfaces."""
-        return len(self.cusps()), len(self.nodes())
+    def topology(self) -> tuple[int, int] | None:
+        """(number of cusps, number of nodes) of the cross-section; None on a surface that changes one, or for r2 = 0.
+
+        One of the nine topologies: 0/0, 4/2, 4/0, 4/2, 2/1, 2/3, 4/4, 0/0, 0/2, of which :attr:`topology_number` says
+        which (the pairs 0/0 and 4/2 occur twice).
+        """
+        place = self._place
+        return None if place.topology is None else (place.cusps, place.nodes)
+
+    @property
+    def topology_number(self) -> int | None:
+        """1 to 9, in the order of :attr:`topology`."""
+        return self._place.topology
 
     @cached_property
-    def _place(self) -> Any:
-        from chainrule.cuspidality.domains import domain
+    def _place(self) -> Domain:
+        from chainrule.cuspidality.domains import exact_domain
 
-        return domain(*self._regional.rationals[4:8])
+        return exact_domain(*self._regional.rationals[4:8])
 
     def words(self) -> list[str]:
         """What else there is to say about the arm, one sentence each."""
-        if self.surfaces:
-            where = f"The design lies on the surface {' and '.join(self.surfaces)}, between domains."
-        else:
-            where = f"The design lies in domain {self.domain}."
-        return [where, *super().words()]
+        return [f"In the design space: {self._place.words}.", *super().words()]
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values of everything that belongs to the design: its domain, cusps, nodes and aspects."""
-        place = {"domain": self.domain, "surfaces": list(self.surfaces), "lengths": [str(x) for x in self.lengths]}
+        place = {"design": self._place.to_dict(), "lengths": [str(length) for length in self.lengths]}
         return {**super().to_dict(), **place}
 
     def with_limits(self, **limits: Any) -> Orthogonal3R:
@@ -328,7 +353,10 @@ def orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any, *, exact: bool = False) ->
     It is an :class:`~chainrule.Arm` that also knows its cusps, nodes, aspects and postures (:class:`Answers`).
 
     Args:
-        d2, d3, d4, r2: lengths in m, of either sign.
+        d2: length in m, of either sign, as the others.
+        d3: length in m.
+        d4: length in m.
+        r2: offset in m.
         exact: whether to keep the lengths as they are given: integers, fractions, ``Decimal`` or decimal text such as
             ``"0.1"``. Whatever is decided about the design (its domain, whether it lies on a surface, its cusps, nodes
             and aspects) is then decided for these numbers, else for the doubles next to them.
@@ -343,8 +371,8 @@ def orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any, *, exact: bool = False) ->
         >>> arm = orthogonal_3r(1.0, 2.0, 1.5, 1.0)
         >>> arm.position([0.5, 0.5, 0.5]).round(3)
         array([ 2.607,  3.383, -1.59 ])
-        >>> arm.domain, arm.cuspidal, arm.cusps().round(3)[0]
-        (2, True, array([0, 0]))
+        >>> arm.domain, arm.topology, arm.cuspidal
+        (2, (4, 0), True)
         >>> orthogonal_3r(1, 3, "3.75", 3, exact=True).surfaces
         ('C2',)
     """
@@ -365,8 +393,8 @@ def orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any, *, exact: bool = False) ->
 def regional_3r(arm: Arm) -> Orthogonal3R | Regional3R:
     """What is known of an arm that positions a point with three revolute joints.
 
-    An arm of three revolute joints in space with any twists and offsets, its point the tool's origin; or an arm with six
-    revolute joints and a spherical wrist, its point the wrist's centre.
+    An arm of three revolute joints in space with any twists and offsets, its point the tool's origin; or an arm with
+    six revolute joints and a spherical wrist, its point the wrist's centre.
 
     Raises:
         InputError: any other arm.
@@ -375,8 +403,8 @@ def regional_3r(arm: Arm) -> Orthogonal3R | Regional3R:
         >>> arm = Arm.from_dh([("R", 0.0, 0.0, 0.0, 0.0), ("R", 1.2, 1.0, 0.3, 0.0), ("R", -0.9, 1.5, 0.2, 0.0)],
         ...                   tool=(1.2, 0.0, 0.0), name="twisted")
         >>> design = regional_3r(arm)
-        >>> len(design.aspects())
-        0
+        >>> len(design.aspects()), design.cuspidal
+        (2, True)
     """
     if not isinstance(arm, Arm):
         raise InputError(f"arm: {shown(arm)}; an Arm is accepted")
@@ -389,8 +417,10 @@ def regional_3r(arm: Arm) -> Orthogonal3R | Regional3R:
 
         found = wrist(arm)
         if found.regional is None:
-            raise InputError(
-                f"{arm.name}: {found.words}; an arm with a spherical wrist, or of three joints, is accepted"
-            )
+            raise InputError(f"{arm.name}: {found.words}; a spherical wrist, or three joints, are accepted")
         return Regional3R(arm, Regional.of(found.regional))
+    if arm.n != 3:
+        raise InputError(
+            f"{arm.name}: {arm.n} joints; three revolute ones, or six with a spherical wrist, are accepted"
+        )
     return Regional3R(arm, Regional.of(arm))

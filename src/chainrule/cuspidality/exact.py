@@ -118,12 +118,12 @@ class Root:
     @property
     def lower(self) -> Any:
         """A rational number not above the root; different roots of one list have disjoint intervals."""
-        return dyadic(self.ball.lower())
+        return dyadic(self.ball.mid()) - dyadic(self.ball.rad())  # ball.lower() would be rounded to FLINT's precision
 
     @property
     def upper(self) -> Any:
         """A rational number not below the root."""
-        return dyadic(self.ball.upper())
+        return dyadic(self.ball.mid()) + dyadic(self.ball.rad())
 
     def refined(self, bits: int) -> Root:
         """The same root in a ball of about so many correct bits."""
@@ -147,7 +147,8 @@ class Root:
 
 def _half(simple: Any, ball: Any) -> Any:
     """The half of a ball, or a little more, that holds its only and simple root; by exact signs."""
-    low, high = dyadic(ball.lower()), dyadic(ball.upper())
+    middle, radius = dyadic(ball.mid()), dyadic(ball.rad())
+    low, high = middle - radius, middle + radius
     middle = (low + high) / 2
     at_middle = sign(simple(middle))
     if at_middle == 0:

@@ -81,7 +81,8 @@ class FeasiblePostures:
         ends: (m, 3) rad, the postures at the path's end, by rising theta3.
         events: (k,) places s where postures may merge or appear.
         closed: whether the path ends where it begins.
-        certified: whether ``events`` are proved to be all; so for polylines, never for functions.
+        certified: whether ``events`` are proved to be all, and every posture was followed without doubt from one to the
+            next; never for functions. Two events nearer than doubles can tell apart count as one, without proof.
         guarantee: what is guaranteed, in words.
     """
 
@@ -261,13 +262,18 @@ class _Assembly:
     """The tracks between events, joined over them."""
 
     def __init__(self, plan: _Plan, tracks: list[Tracks]) -> None:
-        self.plan, self.regional, self.tracks = plan, plan.regional, tracks
+        self.plan, self.regional = plan, plan.regional
+        kept = [i for i, track in enumerate(tracks) if track.s.size]  # some are too narrow for a sample
+        self.tracks, self.intervals = [tracks[i] for i in kept], [plan.intervals[i] for i in kept]
+        self.whole = len(kept) == len(tracks)
+        self.begins_at_event = not kept or kept[0] > 0 or 0.0 in plan.events
+        self.ends_at_event = not kept or kept[-1] < len(tracks) - 1 or 1.0 in plan.events
 
     def answer(self) -> FeasiblePostures:
         """The result."""
         begin, end = (self._at_end(s) for s in (0.0, 1.0))
         first = self.tracks[0]
-        singular_begin = 0.0 in self.plan.events
+        singular_begin = self.begins_at_event
         if first.q.shape[1] == 0 or first.s.size == 0:
             starts, columns = begin, [None] * len(begin)
         elif singular_begin or len(begin) != first.q.shape[1]:
@@ -276,7 +282,7 @@ class _Assembly:
             order = _matched(begin, first.q[0])
             starts, columns = begin, [order[i] for i in range(len(begin))]
         last = self.tracks[-1]
-        if 1.0 in self.plan.events or len(end) != last.q.shape[1]:
+        if self.ends_at_event or len(end) != last.q.shape[1]:
             end = last.q[-1] if last.q.size else np.empty((0, 3))
         final = {column: i for i, column in _matched(end, last.q[-1]).items()} if len(end) else {}
         points = self.plan.at(np.array([0.0, 1.0]))
@@ -292,7 +298,7 @@ class _Assembly:
             _wrapped(self.regional.from_normal(end)),
             np.array(self.plan.events),
             closed,
-            self.plan.certified and all(tracks.clear for tracks in self.tracks),
+            self.plan.certified and self.whole and all(tracks.clear for tracks in self.tracks),
             self.plan.guarantee,
             _wrapped(self.regional.from_normal(starts)),
         )
@@ -325,7 +331,7 @@ class _Assembly:
                 parts[i].append((tracks.s, tracks.q[:, column]))
             if number + 1 == len(self.tracks):
                 break
-            after, event = self.tracks[number + 1], self.plan.intervals[number][1]
+            after, event = self.tracks[number + 1], self.intervals[number][1]
             onward, meeting = _over_event(tracks, after)
             owner = {column: i for i, column in alive.items()}
             for i, column in list(alive.items()):
@@ -341,7 +347,7 @@ class _Assembly:
             q = np.unwrap(np.concatenate([rows for _, rows in parts[i]]), axis=0)
             if i in alive:
                 exact = self._at_end(1.0)
-                if len(exact) and 1.0 not in self.plan.events:
+                if len(exact) and not self.ends_at_event:
                     gap = circular(exact - q[-1])
                     nearest = int(np.abs(gap).max(axis=1).argmin())
                     s, q = np.append(s, 1.0), np.concatenate([q, (q[-1] + gap[nearest])[None]])
@@ -357,7 +363,7 @@ class _Assembly:
         return self._what(number, column, partner, upper=True, beyond=self.tracks[number + 1].q.shape[1])
 
     def _what(self, number: int, column: int, partner: int | None, *, upper: bool = False, beyond: int = 1) -> str:
-        tracks, event = self.tracks[number], self.plan.intervals[number][1 if upper else 0]
+        tracks, event = self.tracks[number], self.intervals[number][1 if upper else 0]
         point = self.plan.at(np.array([event]))[0]
         theta = tracks.q[-1 if upper else 0, column]
         reach = self.regional.size

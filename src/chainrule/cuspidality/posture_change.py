@@ -232,7 +232,7 @@ def _along_spine(regional: Regional, sign: int, theta: Array, turn: float) -> Ar
         share = np.sort(np.concatenate([share, 0.5 * (share[steep] + share[steep + 1])]))
     on = theta2[0] - math.remainder(theta2[0] - theta[0, 1], TURN)  # the start's theta2, next to the spine
     off = theta2[-1] - math.remainder(theta2[-1] - theta[1, 1], TURN)
-    to, back = np.linspace(0.0, 1.0, 64, endpoint=False), np.linspace(1.0, 0.0, 64, endpoint=False)[::-1]
+    to, back = np.linspace(0.0, 1.0, 64, endpoint=False), np.linspace(1.0, 0.0, 65)[1:]
     line = np.concatenate(
         [
             np.stack([on + (theta2[0] - on) * to, np.full(64, theta3[0])], axis=-1),

@@ -100,13 +100,10 @@ def _curves(regional: Regional, critical: Critical, points: int) -> list[Array]:
         if upper <= lower:
             upper += TURN
         share = 0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, points))
-        theta3 = _refined(regional, critical, lower + (upper - lower) * share[1:-1])
+        theta3 = _refined(regional, critical, lower + (upper - lower) * share)
         middle, width = _arcs(regional, critical, theta3)
-        theta3 = np.concatenate([[lower], theta3, [upper]])
         for end in (0, -1):  # where the branches meet
-            width_there = 0.0 if width[end] < 0.5 * math.pi else math.pi
-            middle = np.insert(middle, 0 if end == 0 else middle.size, _limit(middle, end))
-            width = np.insert(width, 0 if end == 0 else width.size, width_there)
+            width[end] = 0.0 if width[end] < 0.5 * math.pi else math.pi
         there, back = np.stack([middle + width, theta3], -1), np.stack([middle - width, theta3], -1)[::-1]
         back[:, 0] += there[-1, 0] - back[0, 0]
         found.append(np.concatenate([there, back[1:]]))
@@ -122,12 +119,6 @@ def _refined(regional: Regional, critical: Critical, theta3: Array) -> Array:
             break
         theta3 = np.sort(np.concatenate([theta3, 0.5 * (theta3[steep] + theta3[steep + 1])]))
     return theta3
-
-
-def _limit(values: Array, end: int) -> float:
-    """A value beyond the end, going on as before."""
-    near = values[:2] if end == 0 else values[-1:-3:-1]
-    return float(near[0] + (near[0] - near[1]) / 3.0)  # the samples are spaced as squares: 0, 1, 4
 
 
 def _all_round(regional: Regional, critical: Critical, theta3: Array) -> list[Array]:
