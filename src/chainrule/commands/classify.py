@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from chainrule.readers.designs import DesignRows
     from chainrule.tables import Table
 
-_FOUR_NUMBERS = re.compile(r"\s*[-+.0-9][-+.0-9eE]*(?:(?:\s*,\s*|\s+)[-+.0-9eE]+)*\s*")
+_NUMBERS = re.compile(r"[-+.0-9].*[\s,].*")
 
 
 @app.command()
@@ -79,7 +79,7 @@ def classify(
         return
     if output is not None:
         raise InputError("-o is for a .csv file of designs; --figure draws one design")
-    if _FOUR_NUMBERS.fullmatch(design):
+    if _NUMBERS.fullmatch(design) and not Path(design).exists():
         _one(_lengths(design, exact), at, figure, domains, as_json)
         return
     _arm(design, tip, base, exact, at, figure, domains, tries, as_json)
@@ -176,8 +176,8 @@ def _one(
 
 def _search(arm: Arm, tries: int, as_json: bool) -> None:
     """Six joints without a spherical wrist."""
-    from chainrule.cuspidality.wrists import wrist
     from chainrule.cuspidality.witness import posture_change_witness
+    from chainrule.cuspidality.wrists import wrist
 
     with progressing() as progress:
         found = posture_change_witness(arm, tries=tries, progress=progress)
@@ -234,6 +234,35 @@ def _answers(block: DesignRows, exact: bool, totals: dict[str, int]) -> list[lis
         name = answer[0] or "none"
         totals[name] = totals.get(name, 0) + 1
     return [[*cells, *answer] for cells, answer in zip(block.cells, found, strict=True)]
+
+
+def _quickly(block: DesignRows) -> list[list[str]]:
+    """By the generated function, all rows at once; only the rows that it leaves open are decided exactly."""
+    import numpy as np
+
+    from chainrule.cuspidality.classify import classify_orthogonal_3r, topology_orthogonal_3r
+    from chainrule.cuspidality.domains import CUSPS, TOPOLOGIES
+
+    lengths = np.array([[float(text) for text in row] for row in block.lengths]).reshape(-1, 4)
+    domains, topologies = classify_orthogonal_3r(*lengths.T), topology_orthogonal_3r(*lengths.T)
+    known = {
+        (number, topology): [str(number), str(CUSPS[number - 1]), str(nodes), "yes" if CUSPS[number - 1] else "no", ""]
+        for topology, (_, nodes) in TOPOLOGIES.items()
+        for number in range(1, 6)
+    }
+    pairs = zip(domains.tolist(), topologies.tolist(), block.lengths, strict=True)
+    return [known.get((number, topology)) or _exactly(row) for number, topology, row in pairs]
+
+
+def _exactly(lengths: tuple[str, str, str, str]) -> list[str]:
+    """By exact arithmetic, for the lengths as they are written."""
+    from chainrule.cuspidality.domains import exact_domain
+
+    found = exact_domain(*lengths)
+    cuspidal = {True: "yes", False: "no", None: ""}[found.cuspidal]
+    where = found.degenerate or " ".join(found.surfaces)
+    numbers = [found.number, found.cusps, found.nodes]
+    return [*("" if number is None else str(number) for number in numbers), cuspidal, where]
 
 
 def _csv(rows: list[list[str]]) -> str:

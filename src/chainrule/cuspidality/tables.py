@@ -44,7 +44,7 @@ def points_table(design: Regional3R) -> Table:
     """The cusps and nodes, by rho and z."""
     columns = (Column("kind", "point"), Column("rho", "ρ", "m"), Column("z", "z", "m"))
     rows = [(kind, float(rho), float(z)) for kind, found in _points(design) for rho, z in found]
-    return Table("Cusps (three postures in one) and nodes of the singular curves", columns, tuple(rows))
+    return Table("Cusps and nodes", columns, tuple(rows))
 
 
 def _points(design: Regional3R) -> list[tuple[str, Any]]:
@@ -64,7 +64,7 @@ def aspects_table(design: Regional3R) -> Table:
         Column("to", "to", "deg"),
     )
     return Table(
-        "Aspects: the parts of the joint space between singularities (no ends: θ3 turns freely)", columns, rows
+        "Aspects, by θ3", columns, rows
     )
 
 
