@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
+from itertools import pairwise
 from numbers import Integral
 from typing import Any
 
@@ -126,40 +127,33 @@ class Root:
         return dyadic(self.ball.mid()) + dyadic(self.ball.rad())
 
     def refined(self, bits: int) -> Root:
-        """The same root in a ball of about so many correct bits."""
-        from flint import arb_poly
+        """The same root in a ball of about so many correct bits; never in a wider one."""
+        from flint import arb, arb_poly
 
-        if self.ball is None:
+        if self.ball is None or self.ball.is_exact() or self.ball.rel_accuracy_bits() >= bits:
             return self
         with precision(bits + 32):
             f, ball = arb_poly(self.of), self.ball
             slope = f.derivative()
-            while True:
+            while ball.rel_accuracy_bits() < bits:
                 if slope(ball).contains(0):  # too wide for a step
-                    closer = _half(self.of, ball)
+                    low, high = _half(self.of, dyadic(ball.mid()), dyadic(ball.rad()))
+                    closer = arb(low).union(arb(high))
                 else:
                     middle = ball.mid()
                     closer = ball.intersection(middle - f(middle) / slope(ball))
                 if not closer.rad() < ball.rad() * 0.75:
-                    return Root(self.of, closer, self.multiplicity)
+                    break
                 ball = closer
+        return Root(self.of, ball, self.multiplicity)
 
 
-def _half(simple: Any, ball: Any) -> Any:
-    """The half of a ball, or a little more, that holds its only and simple root; by exact signs."""
-    middle, radius = dyadic(ball.mid()), dyadic(ball.rad())
-    low, high = middle - radius, middle + radius
-    middle = (low + high) / 2
+def _half(simple: Any, middle: Any, radius: Any) -> tuple[Any, Any]:
+    """The half of an interval round ``middle`` that holds its only, simple root; by exact signs."""
     at_middle = sign(simple(middle))
     if at_middle == 0:
-        low = high = middle
-    elif at_middle == sign(simple(low)):
-        low = middle
-    else:
-        high = middle
-    from flint import arb
-
-    return arb(low).union(arb(high))
+        return middle, middle
+    return (middle, middle + radius) if at_middle == sign(simple(middle - radius)) else (middle - radius, middle)
 
 
 def lower(root: Root) -> Any:
@@ -304,5 +298,5 @@ def number_of_real_roots(coefficients: Sequence[Any]) -> int:
         sequence.append(-(sequence[-2] % sequence[-1]))
     above = [sign(p[p.degree()]) for p in sequence[:-1]]
     below = [s if p.degree() % 2 == 0 else -s for s, p in zip(above, sequence[:-1], strict=True)]
-    changes = [sum(a != b for a, b in zip(signs, signs[1:], strict=False)) for signs in (below, above)]
+    changes = [sum(a != b for a, b in pairwise(signs)) for signs in (below, above)]
     return changes[0] - changes[1] + int(polynomial.degree() < len(coefficients) - 1)
