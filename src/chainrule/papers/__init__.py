@@ -95,6 +95,13 @@ PAPERS: dict[str, Paper] = {
             "equations (3) to (9), both examples, figures 1 and 2, and what the paper claims",
             "chainrule.papers.ambike",
         ),
+        Paper(
+            "baili",
+            "M. Baili, P. Wenger, D. Chablat, Kinematic Analysis of a Family of 3R Manipulators, Problems of Mechanics "
+            "15(2), 2004",
+            "equations (1) to (7), figures 2 and 7, the five domains, and what the paper claims",
+            "chainrule.papers.baili",
+        ),
     )
 }
 

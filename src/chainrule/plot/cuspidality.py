@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
@@ -89,8 +88,10 @@ def _cross_section(axes: Axes, design: Regional3R, curves: Any) -> int:
     z = np.linspace(low - margin, high + margin, GRID + 2)
     # a grid of an odd shape, away from the plane of symmetry, where singular points are not the exception
     counts = np.asarray(design.number_of_postures(rho[None, :], z[:, None]))
-    colours = ListedColormap([COLOURS["paper"], COLOURS["fill"], COLOURS["fill_deep"]])
-    axes.pcolormesh(rho, z, np.digitize(counts, (1, 3)), cmap=colours, vmin=0, vmax=2, rasterized=True, shading="auto")
+    shades = [COLOURS["fill"], COLOURS["fill_deep"]]
+    axes.contourf(
+        rho, z, counts, levels=[1.0, 3.0, 4.5], colors=shades
+    )  # filled outlines: they follow a page's colours
     for k, curve in enumerate(_proper(curves)):
         colour, dashes = STROKES[k % len(STROKES)]
         axes.plot(*curve.image.T, color=colour, ls=dashes, lw=1.5, zorder=3)
@@ -121,12 +122,9 @@ def _joint_space(axes: Axes, design: Regional3R, curves: Any) -> None:
     q[..., 1], q[..., 2] = angles[None, :], angles[:, None]
     labels = np.asarray(design.aspect_of(q))
     every = design.aspects()
-    shade = np.full(labels.shape, np.nan)
-    for aspect in every:
-        shade[labels == aspect.label] = aspect.sign > 0
+    signs = np.array([aspect.sign for aspect in every] + [0])[labels]
     degrees = np.degrees(angles)
-    colours = ListedColormap([COLOURS["ground"], COLOURS["paper"]])
-    axes.pcolormesh(degrees, degrees, shade, cmap=colours, vmin=0, vmax=1, rasterized=True, shading="auto")
+    axes.contourf(degrees, degrees, signs, levels=[-1.5, 0.0], colors=[COLOURS["ground"]])
     for curve, look in _looks(curves):
         axes.plot(*_broken(curve.joint).T, zorder=3, **look)
     for aspect in every:
@@ -180,9 +178,8 @@ def _widest(mask: Array) -> tuple[int, int]:
         (rows - 1) // 2 : -((rows - 1) // 2), (columns - 1) // 2 : -((columns - 1) // 2)
     ]
     margin = np.minimum(*np.meshgrid(*(_from_edge(n - 1) for n in (rows, columns)), indexing="ij"))
-    best = np.unravel_index(
-        int(np.argmax(np.minimum(depth, 0.25 * rows) + np.minimum(margin, 0.1) * 10.0 * rows)), depth.shape
-    )
+    inside = depth >= 0.6 * depth.max()
+    best = np.unravel_index(int(np.argmax(np.where(inside, np.minimum(margin, 0.1) + 1e-4 * depth, -1.0))), depth.shape)
     return int(best[0]), int(best[1])
 
 

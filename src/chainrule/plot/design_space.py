@@ -7,19 +7,20 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from chainrule.cuspidality.classify import classify_orthogonal_3r
 from chainrule.cuspidality.domains import CUSPS
+from chainrule.cuspidality.normal_form import ORTHOGONAL_3R, evaluator
 from chainrule.plot.style import COLOURS, WIDTH, styled
 
 Array = NDArray[Any]
 
 #: Sections r2 / d2 of the small multiples, the extent of d3 / d2 and d4 / d2, and points along each side.
-SECTIONS, EXTENT, GRID = (0.1, 0.5, 1.0, 2.0), 4.0, 401
+SECTIONS, EXTENT, GRID = (0.1, 0.5, 1.0, 2.0), 4.0, 161
 
 
 def draw_domains(lengths: Sequence[float] | None = None, sections: Sequence[float] = SECTIONS) -> Figure:
@@ -45,9 +46,10 @@ def draw_domains(lengths: Sequence[float] | None = None, sections: Sequence[floa
             _section(panels[key], value, EXTENT, named=False)
             panels[key].set_title(f"r2 = {value:.4g} d2", loc="left")
         drawing.suptitle(title, x=0.01, ha="left", fontsize=10.5, color=COLOURS["ink"])
-        handles = [Patch(fc=COLOURS[name], ec=COLOURS["muted"]) for name in ("paper", "fill", "fill_deep")]
-        texts = ["no cusp: not cuspidal", "2 cusps", "4 cusps"]
-        drawing.legend(handles, texts, loc="outside lower left", ncols=3, frameon=False, fontsize=8.5)
+        handles: list[Any] = [Patch(fc=COLOURS[name], ec=COLOURS["muted"]) for name in ("paper", "fill", "fill_deep")]
+        handles.append(Line2D([], [], color=COLOURS["muted"], ls="dotted"))
+        texts = ["no cusp: not cuspidal", "2 cusps", "4 cusps", "node surfaces E1, E2, E3"]
+        drawing.legend(handles, texts, loc="outside lower left", ncols=4, frameon=False, fontsize=8.5)
     return drawing
 
 
@@ -66,18 +68,26 @@ def _marked(lengths: Sequence[float] | None) -> tuple[Array | None, float, float
 def _section(axes: Axes, ratio: float, extent: float, named: bool) -> None:
     """One section, shaded by the number of cusps, with the domains' borders and numbers."""
     values = (np.arange(GRID) + 0.5) * (extent / GRID)
-    domain = np.asarray(classify_orthogonal_3r(1.0, values[None, :], values[:, None], ratio))
-    cusps = np.array([0, *CUSPS])[domain]
-    colours = ListedColormap([COLOURS["paper"], COLOURS["fill"], COLOURS["fill_deep"]])
-    axes.pcolormesh(values, values, cusps / 2, cmap=colours, vmin=0, vmax=2, rasterized=True, shading="nearest")
+    d3, d4 = np.meshgrid(values, values)
+    lengths = np.stack([np.ones_like(d3), d3, d4, np.full_like(d3, max(ratio, 1e-9))], axis=-1)
+    sides = np.moveaxis(evaluator("sides", ORTHOGONAL_3R)(lengths), -1, 0)
+    last = (np.where(d3 > 1.0, sides[2], -1.0), np.where(d3 < 1.0, sides[2], -1.0))
+    layers = (sides[0], "fill_deep"), (sides[1], "fill"), (last[0], "fill_deep"), (last[1], "paper")
+    for side, colour in layers:  # each surface fills what is above it; filled outlines follow a page's colours
+        axes.contourf(values, values, side, levels=[0.0, 2.0], colors=[COLOURS[colour]])
+    for side in (sides[0], sides[1], *last):
+        axes.contour(values, values, side, levels=[0.0], colors=COLOURS["ink"], linewidths=0.9)
+    if named:
+        for side in sides[3:]:
+            axes.contour(
+                values, values, side, levels=[0.0], colors=COLOURS["muted"], linewidths=0.8, linestyles="dotted"
+            )
+    domain = np.asarray(classify_orthogonal_3r(1.0, d3, d4, ratio))
     for number in range(1, 6):
-        inside = domain == number
-        if not inside.any():
-            continue
-        axes.contour(values, values, inside.astype(float), levels=[0.5], colors=COLOURS["ink"], linewidths=0.8)
-        row, column = _middle(inside)
-        look: dict[str, Any] = {"ha": "center", "va": "center", "color": COLOURS["ink"]}
-        axes.text(values[column], values[row], str(number), fontsize=13 if named else 9, zorder=4, **look)
+        if (domain == number).any():
+            row, column = _middle(domain == number)
+            look: dict[str, Any] = {"ha": "center", "va": "center", "color": COLOURS["ink"]}
+            axes.text(values[column], values[row], str(number), fontsize=13 if named else 9, zorder=4, **look)
     axes.set_xlim(0.0, extent)
     axes.set_ylim(0.0, extent)
     axes.set_aspect("equal")
