@@ -1,15 +1,15 @@
 """Nodes of a 3R arm: where the image of its singular curves crosses itself, because two double roots meet one target.
 
-The elimination E of ``regional_3r`` is a quadratic form in (c3, s3, 1). Two double roots mean that this conic touches the
-unit circle c3^2 + s3^2 = 1 twice: then the pencil E + lambda (c3^2 + s3^2 - 1) holds a conic that is a line counted twice,
-a form of rank one, and the line meets the circle in the two roots. The target (R, z) stands in E as (R - F3)^2 and
-(z - F4)^2 with F3, F4 linear in c3, s3: the quadratic part does not depend on it, so that lambda is one of two numbers,
-minus an eigenvalue of that part; the condition on the linear part is linear in R and z, the last one quadratic. There are
-two such targets for each eigenvalue at most, hence at most four nodes of this kind.
+The elimination E of ``regional_3r`` is a quadratic form in (c3, s3, 1). Two double roots mean that this conic touches
+the unit circle c3^2 + s3^2 = 1 twice: then the pencil E + lambda (c3^2 + s3^2 - 1) holds a conic that is a line counted
+twice, a form of rank one, and the line meets the circle in the two roots. The target (R, z) stands in E as (R - F3)^2
+and (z - F4)^2 with F3, F4 linear in c3, s3: the quadratic part does not depend on it, so that lambda is one of two
+numbers, minus an eigenvalue of that part; the condition on the linear part is linear in R and z, the last one
+quadratic. There are two such targets for each eigenvalue at most, hence at most four nodes of this kind.
 
 Where an arm has W = (c3 d4 + d3)^2 (the orthogonal ones), the point can meet axis 2, at c3 = -d3 / d4. The targets
-(R, z) = (F3, F4) there are nodes as well where singular curves pass through that line of the joint space: theta2 is free
-there, so that different crossings have one image.
+(R, z) = (F3, F4) there are nodes as well where singular curves pass through that line of the joint space: theta2 is
+free there, so that different crossings have one image.
 """
 
 from __future__ import annotations

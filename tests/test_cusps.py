@@ -13,8 +13,8 @@ from chainrule.cuspidality.counting import count_doubtful, count_postures
 from chainrule.cuspidality.cusps import certified_cusps
 from chainrule.cuspidality.exact import number_of_real_roots, rational, real_roots, sign_at, surd_sign
 from chainrule.cuspidality.invariants import cusps_by_invariants
-from chainrule.cuspidality.normal_form import exact_function
 from chainrule.cuspidality.nodes import certified_nodes
+from chainrule.cuspidality.normal_form import exact_function
 from chainrule.cuspidality.parameters import exact_parameters, half_tangent
 from chainrule.errors import InputError
 
@@ -129,7 +129,7 @@ def test_the_point_on_axis_1_leaves_theta1_free() -> None:
 
 
 def test_a_target_on_a_singular_curve_has_a_double_posture() -> None:
-    # theta2 = 0: tan(theta3) = r2 / (d2 + d3) with d2 = 1, d3 = 3, r2 = 3: c3 = 4/5, s3 = 3/5; d4 = 5: rho^2 = 8^2 + 6^2
+    # theta2 = 0, d2 = 1, d3 = r2 = 3: tan(theta3) = r2 / (d2 + d3), c3 = 4/5, s3 = 3/5; d4 = 5: rho^2 = 8^2 + 6^2
     found = count_postures([1, 3, 5, 3], [100, 0])
     assert max(found.multiplicities) == 2
 

@@ -139,7 +139,9 @@ def test_floats_count_at_their_binary_value() -> None:
     assert exact_domain(1, "0.1", Decimal("0.1"), 1).surfaces == ("E2",)
 
 
-@pytest.mark.parametrize("wrong", ["1/3", "__import__('os')", "nan", "1e9999", float("inf"), True, None, "1_0", [1], "٣"])
+@pytest.mark.parametrize(
+    "wrong", ["1/3", "__import__('os')", "nan", "1e9999", float("inf"), True, None, "1_0", [1], "٣"]
+)
 def test_other_input_is_refused_in_one_line(wrong: Any) -> None:
     with pytest.raises(InputError, match=r"^d3: .* accepted$") as caught:
         exact_domain(1, wrong, 1, 1)

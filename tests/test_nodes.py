@@ -59,7 +59,9 @@ def general_curves(regional: Regional, count: int = 400) -> Iterator[Array]:
     aspect = [float(x.p) / float(x.q) for x in regional.exact_aspect_polynomial()]
     roots = Polynomial(aspect).roots()
     ends = np.sort(2 * np.arctan(roots[np.abs(roots.imag) < 1e-9].real))
-    stretches = [(0.0, 2 * np.pi)] if not len(ends) else list(zip(ends, np.append(ends[1:], ends[0] + 2 * np.pi), strict=True))
+    stretches = (
+        [(0.0, 2 * np.pi)] if not len(ends) else list(zip(ends, np.append(ends[1:], ends[0] + 2 * np.pi), strict=True))
+    )
     for low, high in stretches:
         middle = np.tan((low + high) / 4)
         if np.polyval(aspect[::-1], middle) < 0:
@@ -112,7 +114,9 @@ def test_nodes_of_any_arm_are_the_crossings_of_its_curves() -> None:
 
 
 def test_nodes_of_a_design_with_the_point_on_axis_2() -> None:
-    found = certified_nodes([1, 3, 5, 3])  # cos(theta3) = -3/5, sin(theta3) = +-4/5: rho^2 = 1 + (3 + 4)^2 or 1 + (3 - 4)^2
+    found = certified_nodes(
+        [1, 3, 5, 3]
+    )  # cos(theta3) = -3/5, sin(theta3) = +-4/5: rho^2 = 1 + (3 + 4)^2 or 1 + (3 - 4)^2
     places = [(node.rho, node.z, node.kind) for node in found.nodes if node.kind == "theta2 free"]
     for rho, z, _ in places:
         assert z == 0.0 and rho**2 in (pytest.approx(50), pytest.approx(2))

@@ -1,8 +1,8 @@
 """How many postures reach a target, exactly: the number of different real roots of its quartic.
 
-Every real root theta3 gives one theta2 and, off the first axis, one theta1. Where the point lies on the first axis theta1 is
-free; where it can lie on the second one theta2 is: both are said. Floats decide almost all targets of a batch; the rest,
-next to singular curves, is decided here.
+Every real root theta3 gives one theta2 and, off the first axis, one theta1. Where the point lies on the first axis
+theta1 is free; where it can lie on the second one theta2 is: both are said. Floats decide almost all targets of a
+batch; the rest, next to singular curves, is decided here.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ class PostureCount:
 def discriminant_signs(e: Any) -> tuple[int, int, int]:
     """Signs of the discriminant D, P = 8 a c - 3 b^2 and Q of a quartic a t^4 + b t^3 + .. given lowest power first.
 
-    With Q = 64 a^3 e - 16 a^2 c^2 + 16 a b^2 c - 16 a^2 b d - 3 b^4 and a not 0 (E. L. Rees, "Graphical discussion of the roots
-    of a quartic equation", American Mathematical Monthly 29, 1922): two real roots where D < 0, four where D > 0 and P, Q < 0,
-    none where D > 0 otherwise.
+    With Q = 64 a^3 e - 16 a^2 c^2 + 16 a b^2 c - 16 a^2 b d - 3 b^4 and a not 0 (E. L. Rees, "Graphical discussion of
+    the roots of a quartic equation", American Mathematical Monthly 29, 1922): two real roots where D < 0, four where
+    D > 0 and P, Q < 0, none where D > 0 otherwise.
     """
     from chainrule.cuspidality.invariants import invariants
 
@@ -99,7 +99,7 @@ def exact_target(target: Any) -> tuple[Any, Any]:
 
 
 def _simple(e: list[Any]) -> int | None:
-    """The number of real roots of a quartic without multiple ones, lowest power first; None where it may be otherwise."""
+    """The number of real roots of a quartic without multiple ones, lowest power first; None where it may have one."""
     if e[4] == 0:
         return None
     discriminant, p, q = discriminant_signs(e)
@@ -129,28 +129,28 @@ def _count(parameters: Array, e: list[Any], on_axis: bool) -> PostureCount:
 def _on_second_axis(parameters: Array, quartic: Any) -> bool:
     """Whether f1 = f2 = 0 at a real root of the quartic.
 
-    They are read off the generated ``image``: z changes by 2 sa2 f1 between theta2 = -90 and 90 deg, by 2 sa2 f2 between 180
-    and 0; as polynomials of degree 2 in tan(theta3 / 2) they are known from three places.
+    They are read off the generated ``image``: z changes by 2 sa2 f1 between theta2 = -90 and 90 deg, by 2 sa2 f2
+    between 180 and 0; as polynomials of degree 2 in tan(theta3 / 2) they are known from their values at 0, 1, -1 and
+    infinity.
     """
-    from flint import fmpq, fmpq_poly
+    from flint import fmpq_poly
+
+    common, infinite = quartic, quartic.degree() < 4
+    for shoulder in (_pair(0, 1), _pair(1, 0)):
+        image = [_heights(parameters, turn * shoulder) for turn in (1, -1)]
+        at_zero, at_one, at_minus_one, at_infinity = (first - second for first, second in zip(*image, strict=True))
+        common = common.gcd(fmpq_poly([at_zero, at_one - at_minus_one, at_infinity]))
+        infinite = infinite and at_infinity == 0
+    return infinite or (common.degree() > 0 and bool(real_roots(common)))
+
+
+def _heights(parameters: Array, shoulder: Array) -> list[Any]:
+    """z for theta3 = 0, 90, -90, 180 deg: tan(theta3 / 2) = 0, 1, -1, infinity."""
+    from flint import fmpq
 
     image = exact_function("image")
-    common = quartic
-    for shoulder in ((0, 1), (1, 0)):
-        values = []
-        for elbow in ((1, 0), (0, 1), (0, -1), (-1, 0)):  # t = 0, 1, -1, infinity
-            ends = [image(parameters, _pair(k * shoulder[0], k * shoulder[1]), _pair(*elbow))[1] for k in (1, -1)]
-            values.append(fmpq(ends[0] - ends[1]))
-        at_zero, at_one, at_minus_one, at_infinity = values
-        form = fmpq_poly([at_zero, at_one - at_minus_one, at_infinity])
-        if at_infinity != 0 or form.degree() >= 0:
-            common = common.gcd(form)
-    infinite = quartic.degree() < 4 and all(
-        image(parameters, _pair(*shoulder), _pair(-1, 0))[1]
-        == image(parameters, _pair(-shoulder[0], -shoulder[1]), _pair(-1, 0))[1]
-        for shoulder in ((0, 1), (1, 0))
-    )
-    return infinite or (common.degree() > 0 and bool(real_roots(common)))
+    elbows = (_pair(1, 0), _pair(0, 1), _pair(0, -1), _pair(-1, 0))
+    return [fmpq(image(parameters, shoulder, elbow)[1]) for elbow in elbows]
 
 
 def _pair(first: int, second: int) -> Array:

@@ -1,13 +1,14 @@
 """All cusps of a 3R arm with a proof: the points of the half plane (rho, z), rho >= 0, that three postures share.
 
-A cusp is a triple root of the quartic. Its theta3 is a real root of the cusp polynomial (degree 12 in tan(theta3 / 2), or 6
-where alpha2 = +-90 deg), and there theta2 must be real: the aspect polynomial must not be negative. The roots are isolated
-and the signs decided exactly. :mod:`chainrule.cuspidality.invariants` counts cusps in a way that shares nothing with this.
+A cusp is a triple root of the quartic. Its theta3 is a real root of the cusp polynomial (degree 12 in tan(theta3 / 2),
+or 6 where alpha2 = +-90 deg), and there theta2 must be real: the aspect polynomial must not be negative. The roots are
+isolated and the signs decided exactly. :mod:`chainrule.cuspidality.invariants` counts cusps in a way that shares
+nothing with this but the quartic.
 
-A root of higher multiplicity is no cusp but an event between two kinds of designs: four equal roots, or two cusps that meet.
+A root of higher multiplicity is no cusp but an event between two kinds of designs: four equal roots, or two cusps meet.
 
-Sources: M. Baili, P. Wenger, D. Chablat, "Kinematic analysis of a family of 3R manipulators", Problems of Mechanics 15, 2004;
-J. El Omri, P. Wenger, "How to recognize simply a non-singular posture changing 3-DOF manipulator", ICAR 1995.
+Sources: M. Baili, P. Wenger, D. Chablat, "Kinematic analysis of a family of 3R manipulators", Problems of Mechanics 15,
+2004; J. El Omri, P. Wenger, "How to recognize simply a non-singular posture changing 3-DOF manipulator", ICAR 1995.
 """
 
 from __future__ import annotations
@@ -222,7 +223,7 @@ def _places(functions: _Functions, root: Root, on_axis: bool) -> list[tuple[floa
 
 
 def _theta2_free(parameters: Array, root: Root) -> bool:
-    """Whether a = b = 0 at a root of the aspect polynomial: the point is on axis 2. A ball without zero disproves it."""
+    """Whether a = b = 0 at a root of the aspect polynomial: the point is on axis 2. Balls without zero disprove it."""
     terms_of = exact_function("determinant_terms")
     for bits in (_BITS, 8 * _BITS):
         with precision(bits):

@@ -4,12 +4,12 @@ The separating surfaces of Baili, Wenger and Chablat (equations 2 to 6) for any 
 A^2 = (d3 + d2)^2 + r2^2 and B^2 = (d3 - d2)^2 + r2^2,
     C1: 2 d4^2 = X - (X^2 - (d3^2 - r2^2) d2^2) / (A B),     C2: d4 (d2 + d3) = d3 A,
     C3: d4 (d3 - d2) = d3 B, d3 > d2,                        C4: d4 (d2 - d3) = d3 B, d3 < d2,
-and those where nodes come and go, E1: 2 d4 = A - B, E2: d4 = d3, E3: 2 d4 = A + B, are squared until at most A B is left:
-every sign is one of p + q sqrt(D) with rational p, q, D. E1 and E3 need not even that: d4^2 = E1^2 or E3^2 are the roots of
-x^2 - (X + d2^2) x + d2^2 d3^2.
+and those where nodes come and go, E1: 2 d4 = A - B, E2: d4 = d3, E3: 2 d4 = A + B, are squared until at most A B is
+left: every sign is one of p + q sqrt(D) with rational p, q, D. E1 and E3 need not even that: d4^2 = E1^2 or E3^2 are
+the roots of x^2 - (X + d2^2) x + d2^2 d3^2.
 
-Nodes. Two pairs of double roots are real outside [E1, E3]; singular curves cross the lines where the point is on axis 2 on
-both of them in domains 2 (for d4 > d3) and 4, on one in domain 3.
+Nodes. Two pairs of double roots are real outside [E1, E3]; singular curves cross the lines where the point is on axis 2
+on both of them in domains 2 (for d4 > d3) and 4, on one in domain 3.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class Domain:
 
     Attributes:
         number: the domain, 1 to 5; None on a surface C1 to C4, which separates two, or where the design is degenerate.
-        topology: 1 to 9 (see ``TOPOLOGIES``); None on any surface that changes cusps or nodes there, or where degenerate.
+        topology: 1 to 9 (see ``TOPOLOGIES``); None on a surface that changes it, or where degenerate.
         cusps: how many cusps the cross-section has, both signs of z, also on surfaces.
         nodes: how many nodes; None on a surface that changes them, or where the design is degenerate.
         surfaces: the surfaces that it lies on, such as ``("E2",)``.
@@ -53,7 +53,7 @@ class Domain:
 
     @property
     def cuspidal(self) -> bool | None:
-        """Whether it is cuspidal: where it has a cusp; None on C1 and C4, where the theorem about generic arms is silent."""
+        """Whether it is cuspidal: where it has a cusp; None on C1 and C4: the theorem is about generic arms."""
         return True if self.cusps else False if self.degenerate or self.number is not None else None
 
     @property

@@ -1,8 +1,8 @@
 """Exact numbers for proofs: rational input, the real roots of rational polynomials, and signs at them.
 
 Nothing here has a tolerance. Roots are isolated in balls by FLINT (F. Johansson, "Arb: efficient arbitrary-precision
-midpoint-radius interval arithmetic", IEEE Transactions on Computers 66, 2017) and refined by interval Newton steps. A sign
-at a root is read off a ball that excludes zero; where none does, a greatest common divisor proves that it is zero.
+midpoint-radius interval arithmetic", IEEE Transactions on Computers 66, 2017) and refined by interval Newton steps. A
+sign at a root is read off a ball that excludes zero; where none does, a greatest common divisor proves that it is zero.
 """
 
 from __future__ import annotations
@@ -169,9 +169,9 @@ def upper(root: Root) -> Any:
 def _isolated(simple: Any) -> list[Any]:
     """Disjoint balls, one for each real root of an ``fmpz_poly`` without multiple roots.
 
-    The quick way takes discs of all roots. A disc that meets the real axis and whose mirror image meets no other disc holds
-    a real root: a root that is not real would have its conjugate in another disc. Where that leaves a doubt, FLINT's
-    slower isolation of the roots of integer polynomials decides.
+    The quick way takes discs of all roots. A disc that meets the real axis and whose mirror image meets no other disc
+    holds a real root: a root that is not real would have its conjugate in another disc. Where that leaves a doubt,
+    FLINT's slower isolation of the roots of integer polynomials decides.
     """
     from flint import arb_poly
 

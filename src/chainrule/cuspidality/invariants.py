@@ -1,10 +1,11 @@
 """The number of cusps a second time, from the invariants of the quartic: nothing is shared with the cusp polynomial.
 
-With the quartic e0 + e1 t + .. + e4 t^4 of a target, whose coefficients are polynomials of R = rho^2 + z^2 and z, its invariants
+With the quartic e0 + e1 t + .. + e4 t^4 of a target, its coefficients polynomials of R = rho^2 + z^2 and z,
     I = 12 e0 e4 - 3 e1 e3 + e2^2,   J = 72 e0 e2 e4 + 9 e1 e2 e3 - 27 (e0 e3^2 + e4 e1^2) - 2 e2^3
-vanish together exactly at a root of multiplicity three or four (D. Hilbert, "Theory of algebraic invariants"). A resultant
-eliminates R. Where what is left, a polynomial in z (in z^2 where alpha2 = +-90 deg), has simple roots only, each real one
-belongs to one real R: a cusp, and no root of multiplicity four is among them.
+are its invariants. They vanish together exactly at a root of multiplicity three or four (D. Hilbert, "Theory of
+algebraic invariants"). A resultant eliminates R. Where what is left, a polynomial in z (in z^2 where alpha2 = +-90
+deg), has simple roots only, each real one belongs to one real R: a cusp, and no root of multiplicity four is among
+them.
 """
 
 from __future__ import annotations

@@ -1,14 +1,14 @@
 """All nodes of a 3R arm with a proof: where the image of its singular curves crosses itself in the half plane (rho, z).
 
-Two double roots of the quartic meet one target exactly if the conic E(cos theta3, sin theta3) touches the unit circle twice
-(``chainrule.derive.nodes_3r``): for one of two numbers lambda, M + lambda diag(1, 1, -1) is a line counted twice. lambda
-depends on the arm alone and is a root of a quadratic equation; the target follows from one linear and one quadratic
-equation. So there are at most four such targets, and all their coordinates are numbers with square roots, whose signs are
-decided exactly. The line meets the circle in two real points for a node, in two complex ones for an isolated point of the
-discriminant that no singular posture reaches, in one at four equal roots.
+Two double roots of the quartic meet one target exactly if the conic E(cos theta3, sin theta3) touches the unit circle
+twice (``chainrule.derive.nodes_3r``): for one of two numbers lambda, M + lambda diag(1, 1, -1) is a line counted twice.
+lambda depends on the arm alone and is a root of a quadratic equation; the target follows from one linear and one
+quadratic equation. So there are at most four such targets, and all their coordinates are numbers with square roots,
+whose signs are decided exactly. The line meets the circle in two real points for a node, in two complex ones for an
+isolated point of the discriminant that no singular posture reaches, in one at four equal roots.
 
-Arms whose point can meet axis 2 (ca3 = 0 and r3 = 0, d4 > d3: the orthogonal family is among them) have another kind: at
-cos theta3 = -d3 / d4 all theta2 have one image, a node where a singular curve crosses that line of the joint space.
+Arms whose point can meet axis 2 (ca3 = 0 and r3 = 0, d4 > d3: the orthogonal family is among them) have another kind:
+at cos theta3 = -d3 / d4 all theta2 have one image, a node where a singular curve crosses that line of the joint space.
 """
 
 from __future__ import annotations
@@ -42,8 +42,8 @@ class Node:
         z: the height along it, m.
         radius: a proved bound on the error of rho and of z, m.
         kind: "two double roots" or "theta2 free" of a node; "isolated" where the double roots are not real; of an event
-            "four equal roots", "two nodes meet" (two double roots at a double solution), or "tangent" (theta2 is free and a
-            singular curve touches the line).
+            "four equal roots", "two nodes meet" (two double roots at a double solution), or "tangent" (theta2 is free
+            and a singular curve touches the line).
     """
 
     rho: float
@@ -80,7 +80,10 @@ class Nodes:
     def to_dict(self) -> dict[str, Any]:
         """Plain values."""
         parts = {"nodes": self.nodes, "isolated": self.isolated, "events": self.events}
-        return {**{name: [n.to_dict() for n in part] for name, part in parts.items()}, "nongeneric": list(self.nongeneric)}
+        return {
+            **{name: [n.to_dict() for n in part] for name, part in parts.items()},
+            "nongeneric": list(self.nongeneric),
+        }
 
 
 def certified_nodes(arm: Any) -> Nodes:
@@ -107,7 +110,7 @@ def certified_nodes(arm: Any) -> Nodes:
 
 
 def nodes(regional: Regional) -> Array:
-    """The nodes of an arm: (k, 2) of rho and z in m, in the normal form's frame, by rising z; see :func:`certified_nodes`."""
+    """The nodes of an arm: (k, 2) of rho and z in m, by rising z; see :func:`certified_nodes`."""
     return np.array([(node.rho, node.z) for node in certified_nodes(regional).nodes]).reshape(-1, 2)
 
 
@@ -126,7 +129,9 @@ def _contacts(parameters: Array) -> Iterator[Node]:
     lengths = orthogonal_lengths(parameters)
     terms = _conic_terms(lengths is not None)(parameters if lengths is None else lengths)
     # entries 11, 12, 22, 13, 23, 33 by 1, R, z, R^2, z^2
-    m11, m12, m22, *_ = conic = [[fmpq(int(x)) if isinstance(x, float) else fmpq(x) for x in row] for row in terms.tolist()]
+    m11, m12, m22, *_ = conic = [
+        [fmpq(int(x)) if isinstance(x, float) else fmpq(x) for x in row] for row in terms.tolist()
+    ]
     trace, gap = m11[0] + m22[0], m11[0] - m22[0]
     root = square_root(gap * gap + 4 * m12[0] * m12[0])
     if sign_of(root) == 0:
@@ -157,7 +162,7 @@ def _of_one_shift(parameters: Array, conic: list[list[Any]], contact: Any, shift
 
 
 def _solutions(linear: list[Any], own: Any, line: list[Any], m33: list[Any], shift: Any) -> Iterator[tuple[Any, bool]]:
-    """(R, z) with linear . (1, R, z) = 0 and own (m33 - shift) = (line . (1, R, z))^2, and whether it is a double one."""
+    """(R, z) with linear . (1, R, z) = 0 and own (m33 - shift) = (line . (1, R, z))^2, and whether it is double."""
     constant, by_r, by_z = linear
     if sign_of(by_z) != 0:  # z = base + slope R
         over = reciprocal(by_z)
@@ -229,6 +234,8 @@ def _on_second_axis(parameters: Array) -> Iterator[Node]:
             continue
         kind = "theta2 free" if crossing > 0 and root.multiplicity == 1 else "tangent"
         with precision(2 * _BITS):
-            target = exact_function("image")(on_balls(parameters), on_balls((1, 0)), elbow_on_balls(root.refined(_BITS)))
+            target = exact_function("image")(
+                on_balls(parameters), on_balls((1, 0)), elbow_on_balls(root.refined(_BITS))
+            )
             rho, z, radius = float_place(*on_balls(target))
         yield Node(rho, z, radius, kind)

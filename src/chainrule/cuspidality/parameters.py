@@ -21,7 +21,8 @@ def exact_parameters(given: Any) -> Array:
 
     Args:
         given: a :class:`Regional` (see its ``rationals``); (d2, d3, d4, r2) of an orthogonal arm; or all of (ca2, sa2,
-            ca3, sa3, d2, d3, d4, r2, r3) with ca2^2 + sa2^2 = 1 and ca3^2 + sa3^2 = 1. Entries as :func:`rational` takes.
+            ca3, sa3, d2, d3, d4, r2, r3) with ca2^2 + sa2^2 = 1 and ca3^2 + sa3^2 = 1. Entries are what
+            :func:`chainrule.cuspidality.exact.rational` takes.
 
     Raises:
         InputError: another number of entries, an entry that is no such number, or twists off the unit circle.

@@ -24,7 +24,7 @@ def ball_of(value: Any) -> Any:
 class Surd:
     """x + y sqrt(d), where x, y and d >= 0 are rational, or themselves surds of one smaller field.
 
-    Two surds of one field hold the same object ``d``. sqrt(d) may lie in the smaller field: signs are right all the same.
+    Two surds of one field hold the same object ``d``. sqrt(d) may lie in the smaller field: signs are right even then.
 
     Example:
         >>> from flint import fmpq
