@@ -179,6 +179,7 @@ CATALOGUE: tuple[Entry, ...] = (
     *(Entry("cuspidality", partial(postures_in_pairs, parallel=parallel)) for parallel in (False, True)),
     Entry("cuspidality", lambda s: orthogonal_designs.classify() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.sides_of_surfaces() if s.closed is orthogonal_3r else None),
+    Entry("cuspidality", lambda s: orthogonal_designs.exact_sides() if s.closed is orthogonal_3r else None),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),

@@ -100,18 +100,18 @@ def tangency() -> tuple[Expression, Expression]:
 
 
 def cusp_height() -> Expression:
-    """z^2 (d3^2 + r2^2)^2 of a root of the cusp polynomial, as a polynomial in c3 and s3."""
+    """z^2 d2^2 (d3^2 + r2^2)^2 of a root of the cusp polynomial, as a polynomial in c3 and s3."""
     arm = normal_form()
     g3 = arm.slopes[0]
     rho1, rho2 = triple_conditions(arm)
-    return sp.expand(arm.width * P**2 - sp.expand(rho1 * g3 + rho2 * turned(g3)) ** 2 / D2**2)
+    return sp.expand(arm.width * D2**2 * P**2 - sp.expand(rho1 * g3 + rho2 * turned(g3)) ** 2)
 
 
 def false_double_root() -> dict[str, Expression]:
     """The double root of the cusp polynomial on d4^2 = d3^2 + r2^2: c3 = -d3 / d4, s3 = -r2 / d4, with z^2 < 0.
 
     Returns:
-        ``value`` and ``slope`` of the cusp polynomial there, and ``z_squared`` times (d3^2 + r2^2)^2.
+        ``value`` and ``slope`` of the cusp polynomial there, and ``z_squared`` times d2^2 (d3^2 + r2^2)^2.
     """
     here = {C: -D3 / D4, S: -R2 / D4}
     on = {D3: sp.sqrt(D4**2 - R2**2)}
@@ -126,7 +126,7 @@ def printed_numerator() -> Expression:
 
 
 def sides(steps: Steps) -> dict[str, Expression]:
-    """For each surface a number in [-1, 1], positive above it in d4 and negative below; lengths count without their signs.
+    """For each surface a number in [-1, 1], positive above it in d4, else negative; signs of lengths drop out.
 
     C1: A B (2 d4^2 - P) + N, C2: d4 (d3 + d2) - d3 A, C3 and C4: d4 |d3 - d2| - d3 B, E1: 2 d4 - (A - B), E2: d4 - d3,
     E3: 2 d4 - (A + B), each over the sum of its terms' absolute values, so that rounding makes only some units in the
@@ -198,4 +198,40 @@ def sides_of_surfaces() -> Program:
         (normal_form().inputs,),
         tuple(steps.steps),
         (Output("sides", (6,), found),),
+    )
+
+
+def squared_sides() -> dict[str, Expression]:
+    """The sides of the surfaces without square roots but A B, as polynomials: for positive lengths, signs as in `sides`.
+
+    ``C1`` = ``C1_whole`` + ``C1_factor`` sqrt(``C1_radicand``), A B = sqrt(A^2 B^2). C2 and C3, C4 squared:
+    d4^2 (d3 +- d2)^2 - d3^2 A^2 (or B^2). E1 and E3 are the roots of x^2 - X x + d2^2 d3^2 in x = d4^2, X = (A^2 + B^2) / 2:
+    ``E`` is negative between them, and ``middle`` = d4^2 - d2 d3 tells which of them is near, since E1 E3 = d2 d3.
+    """
+    a_square, b_square = squares()
+    return {
+        "C1_whole": N,
+        "C1_factor": 2 * D4**2 - P,
+        "C1_radicand": a_square * b_square,
+        "C2": D4**2 * (D3 + D2) ** 2 - D3**2 * a_square,
+        "C3": D4**2 * (D3 - D2) ** 2 - D3**2 * b_square,
+        "E": D4**2 * (D4**2 - X) + D2**2 * D3**2,
+        "middle": D4**2 - D2 * D3,
+        "E2": D4 - D3,
+        "gap": D3 - D2,
+    }
+
+
+def exact_sides() -> Program:
+    """What decides a design exactly: run on fractions, its signs are those of the surfaces."""
+    steps = Steps()
+    a, b = (steps.let(name, square) for name, square in zip(("AA", "BB"), squares(), strict=True))
+    named = {squares()[0]: a, squares()[1]: b}
+    entries = tuple(value.xreplace(named) for value in squared_sides().values())
+    return Program(
+        "exact_sides",
+        "polynomials whose signs tell on which side of the surfaces a design lies: " + ", ".join(squared_sides()),
+        (normal_form().inputs,),
+        tuple(steps.steps),
+        (Output("sides", (len(entries),), entries),),
     )

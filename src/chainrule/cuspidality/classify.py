@@ -15,8 +15,6 @@ Array = NDArray[Any]
 
 #: Designs evaluated at a time, and lengths beyond which they are made smaller first.
 BLOCK, LARGEST = 8192, 1e300
-#: Cusps and nodes of the topologies 1 to 9.
-TOPOLOGIES = ((0, 0), (4, 2), (4, 0), (4, 2), (2, 1), (2, 3), (4, 4), (0, 0), (0, 2))
 
 
 def classify_orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any) -> Array:

@@ -14,10 +14,14 @@ on both of them in domains 2 (for d4 > d3) and 4, on one in domain 3.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from chainrule.cuspidality.exact import rational, sign, surd_sign
+from chainrule.cuspidality.normal_form import ORTHOGONAL_3R, exact_function
 
 #: Cusps of the domains 1 to 5.
 CUSPS = (0, 4, 2, 4, 0)
@@ -78,22 +82,22 @@ class Domain:
         }
 
 
-def sides(d2: Any, d3: Any, d4: Any, r2: Any) -> dict[str, int]:
-    """The sign of d4 minus each surface's value, of positive rational lengths; -1 where a surface does not exist."""
-    a, b, c, r = d2 * d2, d3 * d3, d4 * d4, r2 * r2
-    plus, gap = d3 + d2, d3 - d2
-    a_square, b_square, x = plus * plus + r, gap * gap + r, b + r
-    across = sign(c * gap * gap - b * b_square)
-    quadratic = sign(c * (c - x - a) + a * b)  # negative between E1 and E3
-    upper = c > d2 * d3  # E1^2 E3^2 = (d2 d3)^2
+def sides(lengths: Sequence[Any]) -> dict[str, int]:
+    """The sign of d4 minus each surface's value, of positive rational lengths; -1 where a surface does not exist.
+
+    From the generated polynomials ``exact_sides`` on fractions (``chainrule.derive.orthogonal_designs``).
+    """
+    found = exact_function("exact_sides", ORTHOGONAL_3R)(np.array(lengths, object))
+    whole, factor, radicand, second, third, quadratic, middle, line, gap = found
+    across, between = sign(third), sign(quadratic)
     return {
-        "C1": surd_sign(x * x - (b - r) * a, 2 * c - x, a_square * b_square),
-        "C2": sign(c * plus * plus - b * a_square),
+        "C1": surd_sign(whole, factor, radicand),
+        "C2": sign(second),
         "C3": across if gap > 0 else -1,
         "C4": across if gap < 0 else -1,
-        "E1": 1 if upper else -quadratic,
-        "E2": sign(d4 - d3),
-        "E3": quadratic if upper else -1,
+        "E1": 1 if middle > 0 else -between,
+        "E2": sign(line),
+        "E3": between if middle > 0 else -1,
     }
 
 
@@ -121,7 +125,7 @@ def exact_domain(d2: Any, d3: Any, d4: Any, r2: Any) -> Domain:
     degenerate = _degenerate(lengths)
     if degenerate:
         return Domain(None, None, 0, None, (), degenerate)
-    side = sides(*lengths)
+    side = sides(lengths)
     on = tuple(name for name in SURFACES if side[name] == 0)
     for name, left in _LEFT.items():
         if name in on:
