@@ -119,6 +119,23 @@ def test_the_example_runs_round_a_cusp(domain):
     assert not change.encircled([[1e3, 0.0]]).any()
 
 
+def test_random_designs_have_an_example_exactly_in_domains_2_3_and_4():
+    """The domain comes from the separating surfaces, the example from postures and aspects of many points."""
+    rng = np.random.default_rng(18)
+    seen = {domain: 0 for domain in DOMAINS}
+    while min(seen.values()) < 2:
+        design = cr.orthogonal_3r(1.0, *rng.uniform([0.1, 0.1, 0.1], [3.0, 5.0, 2.0]))
+        if seen[design.domain] == 4:
+            continue
+        seen[design.domain] += 1
+        found = design.example()
+        assert (found is not None) == (design.domain in (2, 3, 4))
+        if found is not None:
+            check(design, design.posture_change(*found.postures))
+            tips, _ = tip_and_determinant(design, found.postures)
+            np.testing.assert_allclose(tips[0], tips[1], rtol=0, atol=1e-9)
+
+
 def test_there_is_no_example_for_an_arm_that_is_not_cuspidal():
     design = cr.orthogonal_3r(*DOMAINS[1][0])
     assert design.example() is None

@@ -64,7 +64,7 @@ def aspects(regional: Regional) -> tuple[Aspect, ...]:
     Joint limits play no part.
     """
     offset = -regional.offsets[2]  # joint 3 is never reversed
-    found = []
+    found: list[Aspect] = []
     for sign in (1, -1):
         for lower, upper, whole in sorted(_intervals(regional)[sign]):
             start = math.pi - (math.pi - lower - offset) % TURN

@@ -18,11 +18,12 @@ from numpy.typing import NDArray
 
 from chainrule.cuspidality.aspects import aspect_of, determinant
 from chainrule.cuspidality.normal_form import Regional
+from chainrule.cuspidality.singular_curves import singular_curves
 
 Array = NDArray[Any]
 
-#: Rings about every cusp, places on each, and places along both sides of a grid over the whole cross-section.
-RINGS, PLACES, GRID = 14, 48, 64
+#: Samples of a singular curve on either side of a cusp, and places along both sides of a grid over the cross-section.
+BESIDE, GRID = 60, 64
 
 
 @dataclass(frozen=True)
@@ -47,21 +48,17 @@ class Example:
 def example(regional: Regional, cusps: Array) -> Example | None:
     """The best of many points for a change of posture: two postures in one aspect, far from singularities.
 
-    Three postures meet in a cusp, and the outer two of them share an aspect beside it. So points on rings about every
-    cusp are tried, small rings too, and a grid over the cross-section. None where no point has two postures in one
-    aspect.
+    Three postures meet in a cusp, and the outer two of them share an aspect beside it: in the wedge, often a thin one,
+    between the two branches of the singular curve's image. So points halfway between both branches are tried, and a
+    grid over the cross-section. None where no point has two postures in one aspect.
 
     Args:
         regional: the arm.
         cusps: (k, 2) rho and z of its cusps.
     """
     reach = regional.size
-    turn = np.linspace(0.0, 2.0 * np.pi, PLACES, endpoint=False)
-    radii = reach * 0.5 ** np.arange(2.0, 2.0 + RINGS)
-    ring = radii[:, None, None] * np.stack([np.cos(turn), np.sin(turn)], axis=-1)
-    places = (np.asarray(cusps, float).reshape(-1, 1, 1, 2) + ring).reshape(-1, 2)
     rho, z = np.meshgrid(np.linspace(0.0, reach, GRID + 1)[1:], np.linspace(-reach, reach, GRID))
-    places = np.concatenate([places, np.stack([rho.ravel(), z.ravel()], axis=-1)])
+    places = np.concatenate([np.stack([rho.ravel(), z.ravel()], axis=-1), *_in_wedges(regional, cusps)])
     places = places[places[:, 0] > 0.0]
     theta = regional.section_postures(np.stack([places[:, 0], np.zeros(len(places)), places[:, 1]], axis=-1))
     labels = aspect_of(regional, regional.from_normal(theta))
@@ -78,3 +75,18 @@ def example(regional: Regional, cusps: Array) -> Example | None:
     pair = theta[place, [i, j]]
     sign = int(np.sign(determinant(regional, pair[0, 1], pair[0, 2])))
     return Example(places[place], regional.from_normal(pair), sign)
+
+
+def _in_wedges(regional: Regional, cusps: Array) -> list[Array]:
+    """Points (k, 2) halfway between the branches of singular curves that meet in each cusp."""
+    images = [curve.image[:-1] for curve in singular_curves(regional) if not curve.line]
+    found = []
+    for cusp in np.asarray(cusps, float).reshape(-1, 2):
+        nearest = [int(np.hypot(*(image - cusp).T).argmin()) for image in images]
+        _, k = min(
+            (float(np.hypot(*(image[i] - cusp))), k) for k, (image, i) in enumerate(zip(images, nearest, strict=True))
+        )
+        steps = np.arange(1, BESIDE + 1)
+        before, after = (images[k][(nearest[k] + side * steps) % len(images[k])] for side in (-1, 1))
+        found.append((0.5 * (before[:, None] + after[None, :])).reshape(-1, 2))
+    return found

@@ -1,8 +1,8 @@
 """The face: what a user asks of a 3R arm.
 
-:class:`Orthogonal3R` is an arm of the family of Baili, Wenger and Chablat, with everything an
-:class:`~chainrule.Arm` has; :class:`Regional3R` speaks of any arm of three revolute joints that positions a point, or
-of the part of a six-joint arm before its spherical wrist. Both answer the same questions (:class:`Answers`).
+:class:`Regional3R` speaks of any arm of three revolute joints that positions a point, or of the part of a six-joint arm
+before its spherical wrist. :class:`Orthogonal3R` is an arm of the family of Baili, Wenger and Chablat that answers the
+same questions, with everything an :class:`~chainrule.Arm` has.
 """
 
 from __future__ import annotations
@@ -66,25 +66,42 @@ class ExactRegional(Regional):
         return np.array([zero, -one, zero, one, d2, d3, d4, r2, zero], object)
 
 
-class Answers:
+class Regional3R:
     """What is known of a 3R arm that positions a point: cusps, nodes, postures, aspects and the way between postures.
+
+    Make one with :func:`regional_3r` from any arm of three revolute joints, or of six with a spherical wrist;
+    :func:`orthogonal_3r` makes arms that answer the same questions.
 
     Angles are the arm's own joints, in rad. (rho, z) are the distance from the first joint's axis and the height along
     it, in m, in the frame of the normal form (:attr:`regional`; for an orthogonal arm that is the base, turned upside
     down where lengths of negative sign need it). Joint limits play no part.
     """
 
-    _regional: Regional
+    def __init__(self, arm: Arm, regional: Regional) -> None:
+        self._arm, self._normal_form = arm, regional
+
+    @property
+    def arm(self) -> Arm:
+        """The arm it was made from."""
+        return self._arm
+
+    @property
+    def name(self) -> str:
+        """The arm's name."""
+        return self.arm.name
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self.name}>"
 
     @property
     def regional(self) -> Regional:
         """The arm's normal form, which the answers are computed from."""
-        return self._regional
+        return self._normal_form
 
     @property
     def nongeneric(self) -> tuple[str, ...]:
         """Why the arm is not generic, in words (parallel or intersecting axes, ...); empty for a generic arm."""
-        return self._regional.nongeneric
+        return self.regional.nongeneric
 
     @cached_property
     def cuspidal(self) -> bool | None:
@@ -95,7 +112,7 @@ class Answers:
         """
         from chainrule.cuspidality.cusps import certified_cusps
 
-        found = certified_cusps(self._regional)
+        found = certified_cusps(self.regional)
         if found.cusps:
             return True
         return None if found.events and not self.nongeneric else False
@@ -103,19 +120,19 @@ class Answers:
     @property
     def exact(self) -> bool:
         """Whether the lengths are kept as the fractions they were given as."""
-        return isinstance(self._regional, ExactRegional)
+        return isinstance(self.regional, ExactRegional)
 
     def cusps(self) -> Array:
         """The points of the cross-section that three postures share: (k, 2) of rho and z in m."""
         from chainrule.cuspidality.cusps import cusps
 
-        return cusps(self._regional)
+        return cusps(self.regional)
 
     def nodes(self) -> Array:
         """Where the image of the singular curves crosses itself: (k, 2) of rho and z in m."""
         from chainrule.cuspidality.nodes import nodes
 
-        return nodes(self._regional)
+        return nodes(self.regional)
 
     def singular_curves(self, points: int = 400) -> tuple[SingularCurve, ...]:
         """The closed curves det J = 0 in (theta2, theta3) with their images in the cross-section.
@@ -124,7 +141,7 @@ class Answers:
         """
         from chainrule.cuspidality.singular_curves import singular_curves
 
-        return singular_curves(self._regional, points)
+        return singular_curves(self.regional, points)
 
     def aspects(self) -> tuple[Aspect, ...]:
         """The connected components of the joint space without singularities.
@@ -133,7 +150,7 @@ class Answers:
         """
         from chainrule.cuspidality.aspects import aspects
 
-        return aspects(self._regional)
+        return aspects(self.regional)
 
     def aspect_of(self, q: Any) -> Array:
         """The label of the aspect of configurations ``q`` (..., 3); -1 where they are singular to within rounding.
@@ -143,19 +160,19 @@ class Answers:
         """
         from chainrule.cuspidality.aspects import aspect_of
 
-        return aspect_of(self._regional, q)
+        return aspect_of(self.regional, q)
 
     def same_aspect(self, a: Any, b: Any) -> Array:
         """Whether configurations ``a`` and ``b`` (..., 3) can be joined without meeting a singularity."""
         from chainrule.cuspidality.aspects import same_aspect
 
-        return same_aspect(self._regional, a, b)
+        return same_aspect(self.regional, a, b)
 
     def example(self) -> Example | None:
         """A point with two postures in one aspect, far from singularities; None for an arm that is not cuspidal."""
         from chainrule.cuspidality.cuspidal import example
 
-        return example(self._regional, self.cusps())
+        return example(self.regional, self.cusps())
 
     def posture_change(self, a: Any = None, b: Any = None) -> PostureChange:
         """A smooth joint path from ``a`` to ``b`` (3,) without a singularity, with a proof; or why there is none.
@@ -164,6 +181,13 @@ class Answers:
 
         Raises:
             InputError: only one of the two is given, or none where the arm is not cuspidal.
+
+        Example:
+            >>> change = orthogonal_3r(1.0, 2.0, 1.5, 1.0).posture_change()
+            >>> change.exists, change.certified, change.smallest_determinant > 1.0
+            (True, True, True)
+            >>> bool((change.sample(0.0) == change.start).all())
+            True
         """
         from chainrule.cuspidality.posture_change import posture_change
 
@@ -174,17 +198,22 @@ class Answers:
             a, b = found.postures
         elif a is None or b is None:
             raise InputError("a and b: both configurations, or none of them, are accepted")
-        return posture_change(self._regional, a, b)
+        return posture_change(self.regional, a, b)
 
     def feasible_postures(self, path: Any) -> FeasiblePostures:
         """Which postures can follow a path to its end without a jump, and what stops the others.
 
         Args:
             path: corners (k, 3) of a polyline in m, or a function of s in [0, 1] that maps (...,) to (..., 3).
+
+        Example:
+            >>> found = orthogonal_3r(1.0, 2.0, 1.5, 1.0).feasible_postures([[2.0, 0.0, 0.5], [4.0, 0.0, 0.5]])
+            >>> found.feasible, found.postures[1].reason
+            ((0, 3), 'it meets a singularity (det J = 0), where it merges with start posture 2')
         """
         from chainrule.cuspidality.feasible import feasible_postures
 
-        return feasible_postures(self._regional, path)
+        return feasible_postures(self.regional, path)
 
     def postures(self, x: Any, y: Any, z: Any) -> Array:
         """Every posture that reaches the point (x, y, z) m of the base frame: (k, 3) rad, by rising third joint.
@@ -201,7 +230,7 @@ class Answers:
         """
         from chainrule.cuspidality.postures import postures
 
-        found = postures(self._regional, _point(x, y, z))
+        found = postures(self.regional, _point(x, y, z))
         if found.free.any():
             joints = " and ".join(f"joint {i + 1}" for i in np.flatnonzero(found.free))
             warnings.warn(f"{joints} can have any angle at this point", FreeJointWarning, 2)
@@ -215,7 +244,7 @@ class Answers:
         given = real_array(points, "points")
         if given.shape[-1:] != (3,):
             raise InputError(f"points: an array of shape {given.shape}; (..., 3) is accepted")
-        found = self._regional.point_to_normal(given)
+        found = self.regional.point_to_normal(given)
         return np.stack([np.hypot(found[..., 0], found[..., 1]), found[..., 2]], axis=-1)
 
     def number_of_postures(self, rho: Any, z: Any) -> Array:
@@ -225,7 +254,7 @@ class Answers:
         """
         from chainrule.cuspidality.postures import number_of_postures
 
-        return number_of_postures(self._regional, rho, z)
+        return number_of_postures(self.regional, rho, z)
 
     def words(self) -> list[str]:
         """What else there is to say about the arm, one sentence each."""
@@ -234,8 +263,8 @@ class Answers:
     def to_dict(self) -> dict[str, Any]:
         """Plain values of everything that belongs to the design: cusps, nodes and aspects."""
         return {
-            "name": self._regional.name,
-            "parameters": list(self._regional.parameters),
+            "name": self.regional.name,
+            "parameters": list(self.regional.parameters),
             "cuspidal": self.cuspidal,
             "nongeneric": list(self.nongeneric),
             "exact": self.exact,
@@ -254,37 +283,14 @@ def _point(x: Any, y: Any, z: Any) -> Array:
     return found
 
 
-class Regional3R(Answers):
-    """Any arm of three revolute joints as a positioning arm. Make one with :func:`regional_3r`.
-
-    Attributes:
-        arm: the arm it was made from.
-    """
-
-    def __init__(self, arm: Arm, regional: Regional) -> None:
-        self.arm, self._regional = arm, regional
-
-    @property
-    def name(self) -> str:
-        """The arm's name."""
-        return self.arm.name
-
-    def __repr__(self) -> str:
-        return f"<Regional3R {self.name}>"
-
-
-class Orthogonal3R(Answers, Arm):
+class Orthogonal3R(Arm, Regional3R):
     """An orthogonal 3R arm: alpha_2 = -90 deg, alpha_3 = 90 deg, r_3 = 0. Make one with :func:`orthogonal_3r`."""
 
     def __init__(self, description: Description, lengths: tuple[Fraction, ...] | None = None) -> None:
-        super().__init__(description)
+        Arm.__init__(self, description)
+        exact = None if lengths is None else ExactRegional.of_lengths(description, lengths)
+        Regional3R.__init__(self, self, exact or Regional.of(description))
         self._lengths = lengths
-
-    @cached_property
-    def _regional(self) -> Regional:  # type: ignore[override]
-        if self._lengths is None:
-            return Regional.of(self.description)
-        return ExactRegional.of_lengths(self.description, self._lengths)
 
     @property
     def lengths(self) -> tuple[Any, ...]:
@@ -317,7 +323,7 @@ class Orthogonal3R(Answers, Arm):
         which (the pairs 0/0 and 4/2 occur twice).
         """
         place = self._place
-        return None if place.topology is None else (place.cusps, place.nodes)
+        return None if place.topology is None or place.nodes is None else (place.cusps, place.nodes)
 
     @property
     def topology_number(self) -> int | None:
@@ -328,7 +334,7 @@ class Orthogonal3R(Answers, Arm):
     def _place(self) -> Domain:
         from chainrule.cuspidality.domains import exact_domain
 
-        return exact_domain(*self._regional.rationals[4:8])
+        return exact_domain(*self.regional.rationals[4:8])
 
     def words(self) -> list[str]:
         """What else there is to say about the arm, one sentence each."""
@@ -350,7 +356,7 @@ class Orthogonal3R(Answers, Arm):
 def orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any, *, exact: bool = False) -> Orthogonal3R:
     """The orthogonal 3R arm (alpha_2 = -90 deg, alpha_3 = 90 deg, r_3 = 0) with lengths in m.
 
-    It is an :class:`~chainrule.Arm` that also knows its cusps, nodes, aspects and postures (:class:`Answers`).
+    It is an :class:`~chainrule.Arm` that also knows its cusps, nodes, aspects and postures (:class:`Regional3R`).
 
     Args:
         d2: length in m, of either sign, as the others.
@@ -390,7 +396,7 @@ def orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any, *, exact: bool = False) ->
     return Orthogonal3R(families.orthogonal_3r(*(float(length) for length in lengths)), lengths)
 
 
-def regional_3r(arm: Arm) -> Orthogonal3R | Regional3R:
+def regional_3r(arm: Arm) -> Regional3R:
     """What is known of an arm that positions a point with three revolute joints.
 
     An arm of three revolute joints in space with any twists and offsets, its point the tool's origin; or an arm with

@@ -109,9 +109,11 @@ class FeasiblePostures:
         """For a closed path: the start posture that each one has become after one round (None: it stops on the way).
 
         Entries that differ from their place are the arm "flipping": it comes back in another posture, without a
-        singularity and without a jump. Only cuspidal arms do. None for a path that is not closed.
+        singularity and without a jump. Only cuspidal arms do. None for a path that is not closed, or where begin and
+        end are singular and cannot be told apart.
         """
-        return tuple(posture.end for posture in self.postures) if self.closed else None
+        alike = self.closed and len(self.ends) == len(self.starts)
+        return tuple(posture.end for posture in self.postures) if alike else None
 
     @property
     def flips(self) -> bool:
@@ -273,6 +275,7 @@ class _Assembly:
         """The result."""
         begin, end = (self._at_end(s) for s in (0.0, 1.0))
         first = self.tracks[0]
+        columns: list[int | None]
         singular_begin = self.begins_at_event
         if first.q.shape[1] == 0 or first.s.size == 0:
             starts, columns = begin, [None] * len(begin)
@@ -305,7 +308,8 @@ class _Assembly:
 
     def _at_end(self, s: float) -> Array:
         rows = self.plan.postures_at(np.array([s]))[0]
-        return rows[np.isfinite(rows[:, 0])]
+        found: Array = rows[np.isfinite(rows[:, 0])]
+        return found
 
     def _stops_at_begin(self, singular: bool, columns: list[int | None]) -> set[int]:
         """Start postures that are singular themselves."""
@@ -354,8 +358,9 @@ class _Assembly:
             joints = self.regional.from_normal(q)
             begin = _wrapped(self.regional.from_normal(start))
             joints += begin - joints[0]
-            stop = stops[i] or (None, "", None)
-            found.append(FollowedPosture(begin, s, joints, *stop, final.get(alive[i]) if i in alive else None))
+            at, reason, partner = stops[i] or (None, "", None)
+            end = final.get(alive[i]) if i in alive else None
+            found.append(FollowedPosture(begin, s, joints, at, reason, partner, end))
         return found
 
     def _reason(self, number: int, column: int, meeting: dict[int, int], partner: int | None) -> str:

@@ -311,7 +311,7 @@ def _in_joints(start: Array, goal: Array, moved: Array) -> Array:
     Exactly ``start`` is first, exactly ``goal`` last up to whole turns; joint 1 goes evenly the shorter way.
     """
     share = np.linspace(0.0, 1.0, len(moved))
-    control = start + np.column_stack([share * math.remainder(goal[0] - start[0], TURN), moved])
+    control: Array = start + np.column_stack([share * math.remainder(goal[0] - start[0], TURN), moved])
     control[0] = start
     control[-1] = goal + TURN * np.rint((control[-1] - goal) / TURN)
     return control
