@@ -91,8 +91,8 @@ def trigonometric(steps: Steps, arm: Arm, rho_squared: Expression, z: Expression
     whole = [steps.let(name, e) for name, e in zip("abgde", harmonics(u**2 + v**2 - turn * width), strict=True)]
     size = steps.let("size", sum((sp.Max(e, -e) for e in whole), _0))
     inverse = steps.let("inverse", GuardedInverse(size))
-    scaled = [steps.let(f"{name}_", e * inverse) for name, e in zip("abgde", whole, strict=True)]
-    return Trigonometric(*scaled, steps.let("doubt", ROUNDING * largest * inverse))
+    alpha, b, g, delta, eps = (steps.let(f"{name}_", e * inverse) for name, e in zip("abgde", whole, strict=True))
+    return Trigonometric(alpha, b, g, delta, eps, steps.let("doubt", ROUNDING * largest * inverse))
 
 
 def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression, Expression]:
@@ -243,7 +243,7 @@ def postures(arm: Arm) -> Program:
         closures.append(closure)
     return Program(
         "postures",
-        "two pairs of postures at a point, the room of each pair (real if positive), the distances left, the slopes of E",
+        "two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E",
         (arm.inputs, POINT),
         tuple(steps.steps),
         (

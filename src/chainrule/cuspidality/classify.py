@@ -26,8 +26,7 @@ def classify_orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any) -> Array:
 
     Args:
         d2: lengths in m, arrays that broadcast. Only their ratios matter, and not their signs: a negative d2, d3 or
-        d4 is
-            the positive one with joint angles turned by pi, a negative r2 mirrors the arm.
+            d4 is the positive one with joint angles turned by pi, a negative r2 mirrors the arm.
         d3: as d2.
         d4: as d2.
         r2: as d2.
@@ -51,7 +50,7 @@ def topology_orthogonal_3r(d2: Any, d3: Any, d4: Any, r2: Any) -> Array:
 
     By rising d4: 1 is domain 1; 2, 3, 4 are domain 2 below E1, up to E2, and above; 5 and 6 domain 3 below and above
     E3; 7 domain 4; 8 and 9 domain 5 below and above E3. Their cusps and nodes are 0/0, 4/2, 4/0, 4/2, 2/1, 2/3, 4/4,
-    0/0, 0/2 (:data:`TOPOLOGIES`); nodes with z = 0 count once, pairs +-z twice.
+    0/0, 0/2 (``TOPOLOGIES`` of :mod:`chainrule.cuspidality.domains`); nodes with z = 0 count once, pairs +-z twice.
 
     0 where it is not decided, as in :func:`classify_orthogonal_3r`, also at the surfaces E1 to E3 that cut its domain.
 

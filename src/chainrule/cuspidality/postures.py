@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chainrule.cuspidality.exact import real_roots
 from chainrule.cuspidality.normal_form import Regional, evaluator, exact_function
 from chainrule.errors import InputError
 from chainrule.inputs import real_array
@@ -127,12 +128,13 @@ def number_of_postures(regional: Regional, rho: Any, z: Any) -> Array:
     found = number.astype(int)
     doubtful = np.flatnonzero(~(margin > 1.0))
     points = np.stack([distances, np.zeros_like(distances), heights], axis=-1)[reachable][doubtful] * factor
-    for k, point, coefficients in zip(doubtful, points, _quartics(values, points), strict=True):
-        exact = _number(coefficients, four[k])
-        if exact is None:
+    quartics = _quartics(_exact_values(regional, factor), points)
+    for k, point, coefficients in zip(doubtful, points, quartics, strict=True):
+        known = _number(coefficients, four[k])
+        if known is None:
             every, loose = _elbows(coefficients, values, point)
-            exact = -1 if loose else len(every)
-        found[k] = exact
+            known = -1 if loose else len(every)
+        found[k] = known
     whole = np.zeros(distances.shape, int)
     whole[reachable] = found
     return whole
@@ -153,7 +155,7 @@ def section(regional: Regional, points: Array) -> Section:
     if values[4] == 0.0 or values[1] == 0.0:
         found, loose, decided = _in_closed_form(values, scaled)
     else:
-        found, loose, decided = _from_quartic(values, scaled)
+        found, loose, decided = _from_quartic(values, _exact_values(regional, factor), scaled)
     on_axis = np.hypot(scaled[:, 0], scaled[:, 1]) <= CLOSED
     theta[near], free[near, 1], free[near, 2] = found, loose[:, 0], loose[:, 1]
     count = np.isfinite(theta[..., 2]).sum(axis=-1)
@@ -185,6 +187,13 @@ def _scaled(regional: Regional) -> tuple[Array, float]:
     return values, factor
 
 
+def _exact_values(regional: Regional, factor: float) -> Array:
+    """The same in fractions."""
+    lengths = np.arange(9) >= 4
+    found: Array = regional.rationals * np.where(lengths, _fractions(np.array([factor])), _fractions(np.ones(1)))
+    return found
+
+
 def wrapped(angles: Array) -> Array:
     """Angles in (-pi, pi]."""
     found: Array = math.pi - np.remainder(math.pi - angles, TURN)
@@ -201,7 +210,7 @@ def _sorted(angles: Array) -> Array:
 # ---- generic arms: the quartic -------------------------------------------------------------------------------------
 
 
-def _from_quartic(values: Array, points: Array) -> tuple[Array, Array, int]:
+def _from_quartic(values: Array, exact: Array, points: Array) -> tuple[Array, Array, int]:
     """Postures (k, 4, 3), whether theta2 and theta3 are free (k, 2), and how many points were decided exactly."""
     angles, room, closure, slope, number, margin, four = evaluator("postures")(values, points)
     pivots = list(_on_second_axis(values))
@@ -209,17 +218,17 @@ def _from_quartic(values: Array, points: Array) -> tuple[Array, Array, int]:
     for _, target in pivots:
         touching |= np.hypot(np.hypot(points[:, 0], points[:, 1]) - target[0], points[:, 2] - target[1]) <= CLOSED
     doubtful = np.flatnonzero(~(margin > 1.0) | touching)
-    quartics, rest = _quartics(values, points[doubtful]), np.zeros(len(points), bool)
+    quartics, rest = _quartics(exact, points[doubtful]), np.zeros(len(points), bool)
     for k, coefficients in zip(doubtful, quartics, strict=True):
-        exact = _number(coefficients, four[k])
-        rest[k] = exact is None or touching[k]
-        number[k] = -1.0 if exact is None else exact
+        known = _number(coefficients, four[k])
+        rest[k] = known is None or touching[k]
+        number[k] = -1.0 if known is None else known
     valid = _valid(number, room)
     sound = (~valid | (closure <= CLOSED)).all(axis=-1) & _separate(angles[..., 2], slope, valid, margin > 1.0)
     angles[~valid] = np.nan
     free = np.zeros((len(points), 2), bool)
     for k in np.flatnonzero(~sound | rest):
-        found, loose = _exactly(values, points[k])
+        found, loose = _exactly(values, exact, points[k])
         if touching[k]:
             found = _with_pivots(values, points[k], found, pivots)
             free[k, 0] = True
@@ -251,11 +260,11 @@ def _separate(theta3: Array, slope: Array, valid: Array, clear: Array) -> Array:
     return found
 
 
-def _quartics(values: Array, points: Array) -> Array:
+def _quartics(exact: Array, points: Array) -> Array:
     """The exact coefficients (k, 5) of the quartics at points (k, 3)."""
     numbers = _fractions(points)
     targets = np.stack([numbers[:, 0] ** 2 + numbers[:, 1] ** 2, numbers[:, 2]], axis=-1)
-    found: Array = exact_function("quartic")(_fractions(values), targets)
+    found: Array = exact_function("quartic")(exact, targets)
     return found
 
 
@@ -272,7 +281,7 @@ def _number(coefficients: Array, four: float) -> int | None:
     return (4 if four > 0.0 else 0) if discriminant > 0 and abs(four) > 1.0 else None
 
 
-def _exactly(values: Array, point: Array) -> tuple[list[Array], bool]:
+def _exactly(values: Array, exact: Array, point: Array) -> tuple[list[Array], bool]:
     """All postures at one point from the exact quartic, and whether theta3 is free."""
     from flint import arb, ctx
 
@@ -280,9 +289,9 @@ def _exactly(values: Array, point: Array) -> tuple[list[Array], bool]:
     try:
         x, y, z = (arb(number) for number in _fractions(point))
         target = _object([x * x + y * y, z])
-        every, loose = _elbows(_quartics(values, point[None])[0], values, point)
+        every, loose = _elbows(_quartics(exact, point[None])[0], values, point)
         found = []
-        parameters = _object([arb(number) for number in _fractions(values)])
+        parameters = _object([arb(number) for number in exact])
         for c3, s3 in every:
             elbow = _object([c3, s3])
             ratio = exact_function("shoulder")(parameters, target, elbow)
@@ -303,23 +312,18 @@ def _elbows(coefficients: Array, values: Array, point: Array) -> tuple[list[tupl
     constant = values[6] == 0.0 or values[3] == 0.0 == values[5]  # theta3 moves nothing in the cross-section
     if all(c == 0 for c in coefficients) or (constant and max(abs(float(c)) for c in coefficients) < doubt):
         return [(arb(1), arb(0))], True
-    found = [((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)) for t in real_roots(list(coefficients))]
+    found = [((1 - t * t) / (1 + t * t), 2 * t / (1 + t * t)) for t in _balls(list(coefficients))]
     if coefficients[4] == 0:
         found.append((arb(-1), arb(0)))
     return found, False
 
 
-def real_roots(coefficients: list[Any]) -> list[Any]:
+def _balls(coefficients: list[Any]) -> list[Any]:
     """The distinct real roots of a polynomial with ``fmpq`` coefficients, lowest power first, as disjoint balls."""
-    from flint import fmpq_poly, fmpz_poly
+    from flint import fmpq_poly
 
     polynomial = fmpq_poly(coefficients)
-    if polynomial.degree() < 1:
-        return []
-    simple = fmpz_poly([1])
-    for factor, _ in polynomial.numer().factor_squarefree()[1]:
-        simple *= factor
-    return [root.real for root, _ in simple.complex_roots() if root.imag == 0]
+    return [root.refined(PRECISION).ball for root in real_roots(polynomial)] if polynomial.degree() > 0 else []
 
 
 def _fractions(numbers: Array) -> Array:
