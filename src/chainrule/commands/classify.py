@@ -91,7 +91,7 @@ def _lengths(text: str, exact: bool) -> Orthogonal3R:
 
     found = numbers(text, "DESIGN", 4)
     words = re.split(r"\s*,\s*|\s+", text.strip())
-    return orthogonal_3r(*(words if exact else found), exact=exact)  # type: ignore[arg-type]
+    return orthogonal_3r(*(words if exact else found), exact=exact)
 
 
 def _arm(

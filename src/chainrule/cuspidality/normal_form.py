@@ -178,14 +178,20 @@ class Regional:
 
     @cached_property
     def rationals(self) -> Array:
-        """The parameters at their binary value, as an object array of ``fmpq``."""
-        from flint import fmpq
+        """The parameters as an object array of ``fmpq``: what is decided exactly is decided for these.
 
-        return np.array([fmpq(*value.as_integer_ratio()) for value in self.parameters], object)
+        Lengths at their binary value. A twist that is no multiple of 90 deg has the half tangent that is nearest as a
+        double, within 1e-16 of it, so that its cosine and sine are rational and lie on the unit circle.
+        """
+        ca2, sa2, ca3, sa3, *lengths = self.parameters
+        values = [*_rational_turn(ca2, sa2), *_rational_turn(ca3, sa3), *(_fraction(length) for length in lengths)]
+        found: Array = np.array(values, object)
+        return found
 
     def exactly(self, name: str, *inputs: Any) -> Array:
         """A generated function of the normal form on ``fmpq`` or ``arb``: nested sequences in, an object array out."""
-        return exact_function(name)(self.rationals, *(_objects(given) for given in inputs))
+        found: Array = exact_function(name)(self.rationals, *(_objects(given) for given in inputs))
+        return found
 
     def exact_quartic(self, targets: Any) -> Array:
         """As :meth:`quartic`, exactly."""
@@ -234,6 +240,21 @@ def _objects(values: Any) -> Array:
     found = np.empty(len(rows), object)
     found[:] = rows
     return found
+
+
+def _fraction(value: float) -> Any:
+    from flint import fmpq
+
+    return fmpq(*value.as_integer_ratio())
+
+
+def _rational_turn(cosine: float, sine: float) -> tuple[Any, Any]:
+    """Cosine and sine on the unit circle in fractions, from doubles that are on it to rounding."""
+    if 0.0 in (cosine, sine):
+        return _fraction(cosine), _fraction(sine)
+    half = _fraction(sine / (1.0 + cosine) if cosine > 0.0 else (1.0 - cosine) / sine)
+    square = half * half
+    return (1 - square) / (1 + square), 2 * half / (1 + square)
 
 
 # ---- the reduction -----------------------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from chainrule.tables import Column, Table, readable
+from chainrule.tables import Cell, Column, Table, readable
 
 if TYPE_CHECKING:
     from chainrule.cuspidality.designs import Regional3R
@@ -63,15 +63,13 @@ def aspects_table(design: Regional3R) -> Table:
         Column("from", "θ3 from", "deg"),
         Column("to", "to", "deg"),
     )
-    return Table(
-        "Aspects, by θ3", columns, rows
-    )
+    return Table("Aspects, by θ3", columns, rows)
 
 
 def postures_table(design: Regional3R, q: Any) -> Table:
     """Postures (k, 3) with the aspect that each is in."""
-    labels = np.atleast_1d(design.aspect_of(q)) if len(q) else []
-    rows = tuple(
+    labels = np.atleast_1d(design.aspect_of(q)).tolist() if len(q) else []
+    rows: tuple[tuple[Cell, ...], ...] = tuple(
         (k, *(_degrees(angle) for angle in angles), "singular" if label < 0 else f"A{label + 1}")
         for k, (angles, label) in enumerate(zip(q, labels, strict=True), 1)
     )

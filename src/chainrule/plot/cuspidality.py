@@ -214,8 +214,8 @@ def _legend(drawing: Figure, curves: Any, changed: bool) -> None:
     ]
     if len(_proper(curves)) < len(curves):
         handles.append((Line2D([], [], **_LINE), "tip on axis 2"))
-    cusp = {"marker": "o", "ls": "", "mfc": COLOURS["accent"], "mec": COLOURS["paper"], "ms": 6.5}
-    node = {"marker": "s", "ls": "", "mfc": COLOURS["paper"], "mec": COLOURS["ink"], "ms": 6.5}
+    cusp: dict[str, Any] = {"marker": "o", "ls": "", "mfc": COLOURS["accent"], "mec": COLOURS["paper"], "ms": 6.5}
+    node: dict[str, Any] = {"marker": "s", "ls": "", "mfc": COLOURS["paper"], "mec": COLOURS["ink"], "ms": 6.5}
     handles += [(Line2D([], [], **cusp), "cusp"), (Line2D([], [], **node), "node")]
     if changed:
         handles.append((Line2D([], [], color=COLOURS["accent"], lw=1.8), "change of posture"))

@@ -36,8 +36,8 @@ def _build(arm: Arm, context: Context) -> Part:
     if arm.n == 6:
         blocks.append(Prose(f"{wrist(arm).words}. What follows is about its centre and the first three joints."))
     description = (
-        "Two panels: the curves of singularities over joints 2 and 3 with the aspects between them, and their images in "
-        "the half plane of distance from axis 1 and height, shaded by how many postures reach a point."
+        "Two panels: the curves of singularities over joints 2 and 3 with the aspects between them, and their images "
+        "in the half plane of distance from axis 1 and height, shaded by how many postures reach a point."
     )
     drawn = svg(draw_design(design, change), "cuspidality", tables.verdict(design), description)
     caption = (
@@ -45,7 +45,7 @@ def _build(arm: Arm, context: Context) -> Part:
         "cross-section of the workspace: the images of the same curves, where postures appear or vanish in pairs."
     )
     if change is not None:
-        caption += " The red way changes the posture without crossing a singular curve; in the workspace it runs round a cusp."
+        caption += " The red way changes the posture without crossing a singular curve; its image runs round a cusp."
         blocks.append(Prose(tables.change_in_words(change)))
     blocks.append(Picture(Markup(drawn), caption))
     if len(design.cusps()) or len(design.nodes()):
@@ -58,8 +58,8 @@ def _build(arm: Arm, context: Context) -> Part:
         blocks.append(
             Picture(
                 Markup(svg(space, "domains", title, description)),
-                "The family's designs by the number of cusps (Baili, Wenger and Chablat); the numbers name the domains, "
-                "the red mark is this arm.",
+                "The family's designs by the number of cusps (Baili, Wenger and Chablat); the numbers name the "
+                "domains, the red mark is this arm.",
             )
         )
     data = design.to_dict() | {"posture_change": None if change is None else change.to_dict()}
