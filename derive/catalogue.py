@@ -22,6 +22,8 @@ from chainrule.derive import (
     planar_3r,
     planar_motion,
     rest_to_rest,
+    self_motion,
+    self_motion_planar_3r,
     speed_ratio,
     speed_ratio_4,
 )
@@ -127,6 +129,23 @@ def speed_ratio_terms(subject: Subject, leading: int) -> Program | None:
     return speed_ratio.terms(subject.arm, leading) if subject.arm.n == 3 else None
 
 
+def closed_self_motion(subject: Subject, make: Callable[[Any, str], Program], task: str) -> Program | None:
+    """A function of the self-motion of the planar 3R arm, known in closed form."""
+    return make(subject.arm, task) if subject.model.name == "planar_rrr" else None
+
+
+def continuation(subject: Subject, make: Callable[[ModuleType, Any, str], Program], task: str) -> Program | None:
+    """What following a self-motion takes, for tasks that leave one joint free."""
+    model = subject.model
+    return make(subject.family, subject.arm, task) if f"continuation_{task}" in continuations(model) else None
+
+
+def continuations(model: Model) -> tuple[str, ...]:
+    """Groups with what following a self-motion takes: one for each task with one row less than there are joints."""
+    tasks = FAMILIES[model.family][1]
+    return tuple(f"continuation_{task}" for task, rows in tasks.items() if len(model.kinds) - rows == 1)
+
+
 CATALOGUE: tuple[Entry, ...] = (
     Entry("kinematics", lambda s: s.family.placement(s.arm, "position")),
     Entry("kinematics", lambda s: s.family.placement(s.arm, "pose")),
@@ -143,6 +162,12 @@ CATALOGUE: tuple[Entry, ...] = (
     *(Entry("speed_ratio", partial(speed_ratio_terms, leading=k)) for k in (1, 2, 3)),
     Entry("speed_ratio", lambda s: speed_ratio.rates(s.arm) if s.arm.n == 3 else None),
     Entry("speed_ratio", lambda s: speed_ratio_4.conditions(s.arm) if s.arm.n == 4 else None),
+    *(Entry("self_motion", partial(closed_self_motion, make=make, task=t)) for t, make in self_motion_planar_3r.EVERY),
+    *(
+        Entry(f"continuation_{task}", partial(continuation, make=make, task=task))
+        for task in ("position", "x_alpha", "pose")
+        for make in (self_motion.held, self_motion.bending)
+    ),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -160,20 +185,25 @@ def groups(model: Model) -> tuple[str, ...]:
 def extras(model: Model) -> tuple[str, ...]:
     """Groups that only some models have.
 
-    Planar arms have ``motion`` (the tip's path along a joint motion) and, with 3 or 4 joints, ``speed_ratio``; what
-    belongs to no arm is the profile of a motion, ``rest_to_rest``.
+    Planar arms have ``motion`` (the tip's path along a joint motion), with 3 or 4 joints ``speed_ratio``, and the RRR
+    arms ``self_motion`` (in closed form); arms with a joint more than a task has rows, ``continuation_<task>``; what belongs to no arm is the profile of a motion, ``rest_to_rest``.
     """
     if model.family == "planar":
-        return ("motion", "speed_ratio") if len(model.kinds) in (3, 4) else ("motion",)
-    return ("rest_to_rest",) if model.family == "motion" else ()
+        closed = ("self_motion",) if model.name == "planar_rrr" else ()
+        more = ("motion", "speed_ratio", *closed) if len(model.kinds) in (3, 4) else ("motion",)
+        return (*more, *continuations(model))
+    return ("rest_to_rest",) if model.family == "motion" else continuations(model)
 
 
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     """The modules that a group's formulas are written in."""
     family, tasks = FAMILIES[model.family]
+    if group in continuations(model):
+        return (family, self_motion)
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
-        return ({"motion": planar_motion, "speed_ratio": ratios}.get(group, family),)
+        known = {"motion": planar_motion, "speed_ratio": ratios, "self_motion": self_motion_planar_3r}
+        return (known.get(group, family),)
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     general = [manipulability] if group in tasks else []
     return (family, *closed, *general)
