@@ -127,7 +127,7 @@ def checked_task(task: Any) -> str:
 
 
 def cases(lengths: Array, target: Array, task: str) -> tuple[Array, Array, Array, Array, Array, Array]:
-    """Lengths (k, 3), reach (k, 1), sums (k, 8), which of them are 0, exponents (k,) and offsets (k, 3) of targets (k, 2)."""
+    """Of targets (k, 2): lengths (k, 3), reach (k, 1), sums (k, 8), which are 0, exponents (k,), offsets (k, 3)."""
     offset = np.zeros((len(target), 3))
     if task == "position":
         offset[:, 0] = np.arctan2(target[:, 1], target[:, 0])
@@ -210,3 +210,28 @@ def case_of(lengths: Array, target: Array, task: str) -> tuple[Case, int, int, i
     status, number, nothing = counted(scaled, reach, sums, zero, task)
     case = Case(task, scaled[0], reach[0], sums[0], zero[0], int(exponent[0]), offset[0])
     return case, int(status[0]), int(number[0]), int(nothing[0])
+
+
+def closed_boxes(task: str, extremes: Array, q: Array, sense: Array) -> Array:
+    """Ranges (..., 3, 2) of the functions' joint values on whole closed curves.
+
+    Args:
+        task: "position" or "x_alpha".
+        extremes: (..., 3, 2) least and greatest |angle| of q1, q2, q3 (x_alpha: q1, q2, heading of link 2 = -q3).
+        q: (..., 3) a point of the curve; of a joint that winds, the point from which it is unwrapped.
+        sense: (..., 3) the signs of the joints' rates there.
+    """
+    turn = 2.0 * math.pi
+    heading = np.array([1.0, 1.0, -1.0 if task == "x_alpha" else 1.0])
+    least, most = extremes[..., 0], extremes[..., 1]
+    low = np.where(least == 0.0, -most, least)
+    high = np.where((most == math.pi) & (least > 0.0), turn - least, most)
+    flip = heading * np.where((least > 0.0) & (most < math.pi), np.sign(np.sin(heading * q)), 1.0) < 0.0
+    low, high = np.where(flip, -high, low), np.where(flip, -low, high)
+    winds = (least == 0.0) & (most == math.pi)
+    low, high = (
+        np.where(winds, q + turn * np.minimum(sense, 0.0), low),
+        np.where(winds, q + turn * np.maximum(sense, 0.0), high),
+    )
+    found: Array = np.stack([low, high], axis=-1)
+    return found

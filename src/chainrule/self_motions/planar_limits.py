@@ -24,9 +24,9 @@ from numpy.typing import NDArray
 from scipy.special import agm, elliprf
 
 from chainrule.errors import InputError
-from chainrule.self_motions.planar_3r import TURN, Piece
 from chainrule.self_motions.planar_case import Case, evaluator
 from chainrule.self_motions.planar_path import wrapped
+from chainrule.self_motions.planar_pieces import TURN, Piece
 from chainrule.self_motions.result import Component, limit_reason
 
 Array = NDArray[np.float64]
@@ -94,7 +94,7 @@ def _parameters(case: Case, piece: Piece, q: Array) -> Array:
     phase = evaluator(f"phase_{case.task}")(halves, case.reach, case.sums, case.lengths)
     cosine, sine = phase[:, 0], phase[:, 1]
     if piece.quarter is not None:
-        return np.mod(np.arctan2(sine, cosine) - piece.quarter * math.pi / 2.0, TURN)
+        return np.asarray(np.mod(np.arctan2(sine, cosine) - piece.quarter * math.pi / 2.0, TURN))
     path = piece.path
     assert path is not None
     return np.mod(theta_of(cosine, sine, gaps), path.end)
@@ -109,7 +109,7 @@ def theta_of(cosine: Array, sine: Array, gaps: Array) -> Array:
     c, s = c / size, s / size
     integral = s * elliprf(c * c, c * c + square * s * s, 1.0)
     theta = integral * agm(1.0, math.sqrt(square))
-    return np.where(c >= 0.0, theta, np.copysign(math.pi, s) - theta)
+    return np.asarray(np.where(c >= 0.0, theta, np.copysign(math.pi, s) - theta))
 
 
 @dataclass(frozen=True)
@@ -129,7 +129,7 @@ def _arcs(case: Case, piece: Piece, limits: Array) -> list[Piece]:
     middles = (cuts[:-1] + cuts[1:]) / 2.0
     allowed = _turns(piece.at_parameter(np.zeros(len(middles)), middles), limits)
     winding = np.rint(piece.advance / TURN).astype(int) if piece.closed else np.zeros(3, int)
-    runs = _runs(allowed, winding, np.isfinite(limits).any(axis=1), piece.closed)
+    runs = _runs(allowed, winding, np.asarray(np.isfinite(limits).any(axis=1)), piece.closed)
     lengths = path.length_to(cuts[:-1])
     marks = np.append(lengths, path.length) / path.length
     found = []
@@ -148,7 +148,7 @@ def _arcs(case: Case, piece: Piece, limits: Array) -> list[Piece]:
     return _distinct(found)
 
 
-def _runs(allowed: Array, winding: Array, limited: Array, closed: bool) -> list[Run]:
+def _runs(allowed: Array, winding: Array, limited: NDArray[np.bool_], closed: bool) -> list[Run]:
     """Maximal stretches of segments in which every joint, moved by its turns, is allowed."""
     segments = len(allowed)
     leading = next((j for j in range(3) if limited[j] and winding[j]), None)
@@ -175,7 +175,7 @@ def _runs(allowed: Array, winding: Array, limited: Array, closed: bool) -> list[
         choices.append(list(range(int(low[good].min()) - spread[1], int(high[good].max()) - spread[0] + 1)))
     if math.prod(map(len, choices)) * len(rounds) > MOST:
         raise InputError(
-            f"limits: they hold more than {MOST} combinations of whole turns; limits of some turns, or none, are accepted"
+            f"limits: they hold more than {MOST} combinations of turns; limits of some turns, or none, are accepted"
         )
     found = []
     for turns in product(*choices):
@@ -196,7 +196,7 @@ def _runs(allowed: Array, winding: Array, limited: Array, closed: bool) -> list[
     return found
 
 
-def _inside(allowed: Array, turns: tuple[int, ...], n: int, winding: Array, limited: Array) -> bool:
+def _inside(allowed: Array, turns: tuple[int, ...], n: int, winding: Array, limited: NDArray[np.bool_]) -> bool:
     return all(not limited[j] or allowed[j, 0] <= turns[j] + n * winding[j] <= allowed[j, 1] for j in range(len(turns)))
 
 

@@ -70,6 +70,7 @@ class Path:
     """The piece from parameter ``start`` to ``end``.
 
     Attributes:
+        start, end: the parameters of its ends.
         edges: (k + 1,) parameters between panels.
         cumulative: (k + 1,) length up to there.
         values: (k + 1, 3) unwrapped joint values there.
@@ -120,20 +121,22 @@ class Path:
         part = self.cumulative[panel + 1] - self.cumulative[panel]
         share = (length - self.cumulative[panel]) / np.where(part > 0.0, part, 1.0)
         found = low + np.clip(share, 0.0, 1.0) * (high - low)
+        below, above, inner = low, high, 1e-9 * (high - low)
         nodes, weights = _gauss()
-        for _ in range(40):
+        for _ in range(60):
             ahead = found - low
             speed = self.evaluate(low[..., None] + ahead[..., None] * nodes)[2]
             miss = self.cumulative[panel] + (speed @ weights) * ahead - length
-            pace = self.evaluate(np.clip(found, low + 1e-9 * (high - low), high - 1e-9 * (high - low)))[2]
-            below, above = np.where(miss < 0, found, low), np.where(miss > 0, found, high)
-            new = found - miss / np.where(pace > 0.0, pace, np.inf)
-            new = np.where((new < low) | (new > high), (below + above) / 2.0, new)
-            done = np.abs(new - found).max(initial=0.0) <= 1e-15 * (1.0 + abs(self.end))
-            found = new
-            if done or float(np.abs(miss).max(initial=0.0)) <= 4e-16 * self.length:
+            if float(np.abs(miss).max(initial=0.0)) <= 4e-15 * self.length:
                 break
-        return found
+            below, above = np.where(miss < 0.0, found, below), np.where(miss > 0.0, found, above)
+            pace = self.evaluate(np.clip(found, low + inner, high - inner))[2]
+            new = found - miss / np.where(pace > 0.0, pace, np.inf)
+            new = np.where((new < below) | (new > above), (below + above) / 2.0, new)
+            if np.abs(new - found).max(initial=0.0) <= 1e-15 * abs(self.end - self.start):
+                break
+            found = new
+        return np.asarray(found)
 
     def joints_at(self, parameter: Array) -> Array:
         """Unwrapped joint values (..., 3) at parameters (...,)."""
