@@ -19,7 +19,7 @@ from chainrule.arm import Arm
 from chainrule.errors import InputError
 from chainrule.inputs import whole_number
 from chainrule.self_motions import planar_case as deciding
-from chainrule.self_motions.planar_case import REGULAR, STATUS, Case, evaluator
+from chainrule.self_motions.planar_case import REGULAR, STATUS, evaluator
 from chainrule.self_motions.planar_components import component
 from chainrule.self_motions.planar_pieces import FREE, TURN, pieces_of, zero_length
 from chainrule.self_motions.result import SelfMotion
@@ -101,9 +101,9 @@ def half_length(reach: Array, sums: Array, lengths: Array, task: str) -> float:
     speed = evaluator(f"speed_{task}")
     count = FIRST
     both = speed(nodes(count), reach, sums, lengths)
-    even, total = float(both[::2].sum()) * 2.0, float(both.sum())
+    even, total = 2.0 * float(np.add.reduce(both[::2])), float(np.add.reduce(both))
     while abs(total - even) > AGREED * total and count < LAST:
-        more = float(speed(between_nodes(count), reach, sums, lengths).sum())
+        more = float(np.add.reduce(speed(between_nodes(count), reach, sums, lengths)))
         even, total, count = 2.0 * total, total + more, 2 * count
     return total * (math.pi / count)
 
@@ -120,8 +120,13 @@ def planar_lengths(arm: Arm, target: Any, task: str = "position") -> tuple[str, 
         >>> status, len(lengths), round(lengths[0], 9)
         ('regular', 2, 6.752948361)
     """
-    task = deciding.checked_task(task)
-    case, status, number, nothing = _case(arm, target, task)
+    task, lengths, where = _checked(arm, target, task)
+    known = deciding.quick(lengths, where, task)
+    if known is not None:
+        reach, sums, number = known
+        half = half_length(reach, sums, lengths, task) if number else 0.0
+        return STATUS[min(number, 1)], ((), (2.0 * half,), (half, half))[number]
+    case, status, number, nothing = deciding.case_of(lengths, where, task)
     if status != REGULAR:
         found = planar_self_motion(arm, target, task)
         return found.status, tuple(part.length for part in found.components)
@@ -132,12 +137,13 @@ def planar_lengths(arm: Arm, target: Any, task: str = "position") -> tuple[str, 
     return STATUS[status], (half, half) if number == 2 else (2.0 * half,)
 
 
-def _case(arm: Arm, target: Any, task: str) -> tuple[Case, int, int, int]:
-    lengths = deciding.planar_lengths_of(arm)
+def _checked(arm: Arm, target: Any, task: str) -> tuple[str, Array, Array]:
+    """The task, the lengths (3,) and the target (2,)."""
+    task, lengths = deciding.checked_task(task), deciding.planar_lengths_of(arm)
     where = deciding.checked_targets(target)
     if where.shape != (2,):
         raise InputError(f"target: shape {where.shape}; (2,) is accepted; for many targets see self_motion_map")
-    return deciding.case_of(lengths, where, task)
+    return task, lengths, where
 
 
 def planar_self_motion(
@@ -168,9 +174,9 @@ def planar_self_motion(
         >>> found.count, round(found.components[0].length, 9), dict(found.components[0].signs)
         (2, 8.238309624, {'q2': 1, 'q1-direction': -1, 'q1+q2-direction': 1})
     """
-    task, points = deciding.checked_task(task), whole_number(points, "points", 2)
-    case, status, number, nothing = _case(arm, target, task)
-    where = deciding.checked_targets(target)
+    task, lengths, where = _checked(arm, target, task)
+    points = whole_number(points, "points", 2)
+    case, status, number, nothing = deciding.case_of(lengths, where, task)
     detail, parts = pieces_of(case, status, number, nothing)
     finish = partial(component, arm, where, task, points)
     components = tuple(finish(part) for part in parts)

@@ -151,6 +151,31 @@ def cases(lengths: Array, target: Array, task: str) -> tuple[Array, Array, Array
     return scaled, r[:, None], sums, zero, exponent, offset
 
 
+def quick(lengths: Array, target: Array, task: str) -> tuple[Array, Array, int] | None:
+    """Reach (1,), sums (8,) and number of curves of one target that is clearly regular or out of reach; else None."""
+    l1, l2, l3 = lengths.tolist()
+    x, y = target.tolist()
+    if task == "position":
+        r = math.hypot(x, y)
+        least = min(l1, l2, l3, r)
+    else:
+        r, l3, least = x - l3 * math.cos(y), 0.0, min(l1, l2)
+    ahead, behind = l1 + l2, l1 - l2
+    sums = (
+        *(ahead + l3 - r, ahead - l3 - r, behind + l3 - r, l3 - behind - r),
+        *(ahead + l3 + r, ahead - l3 + r, behind + l3 + r, l3 - behind + r),
+    )
+    size = ahead + l3 + abs(r)
+    if least == 0.0 or min(map(abs, sums)) <= NEAR * size or not 1e-30 < size < 1e30:
+        return None
+    if task == "position":
+        reached = min(sums[0], sums[5], sums[6], sums[7]) > 0.0
+        two = (sums[1] > 0.0) ^ (sums[2] > 0.0) ^ (sums[3] > 0.0)
+    else:
+        reached, two = min(sums[0], sums[4]) > 0.0, (sums[2] > 0.0) == (sums[6] > 0.0)
+    return np.array([r]), np.array(sums), (2 if two else 1) if reached else 0
+
+
 def exact_sums(lengths: Any, target: Any, reach: float, exponent: int) -> tuple[Array, Array]:
     """The sums rounded once, with their true signs, and which are exactly 0; ``target`` has the length |reach|."""
     scale = Fraction(2) ** -exponent
