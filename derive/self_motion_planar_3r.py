@@ -219,6 +219,11 @@ def _size(steps: Steps, vector: Sequence[Expression]) -> Expression:
     return steps.let("H", sp.sqrt(steps.let("H_square", sum(e**2 for e in vector))))
 
 
+def _angle(steps: Steps, y: Expression, x: Expression) -> Expression:
+    """atan2, whose zero has no sign: a link that points backwards is at pi, whichever way its sine rounds to 0."""
+    return sp.atan2(steps.let("rise", Where(y, y)), x)
+
+
 def _factor(task: str) -> int:
     """dw = factor d phi / sqrt((a - x) (x - d))."""
     return 4 if task == "position" else 2
@@ -276,10 +281,14 @@ def point(arm: PlanarChain, task: str) -> Program:
     if task == "x_alpha":
         c1, c2 = steps.let("l1_cos", at.above_b - lengths[0]), steps.let("l2_cos", at.below_c - lengths[1])
         cross, dot = steps.let("cross", c1 * at.y2 - at.y1 * c2), steps.let("dot", c1 * c2 + at.y1 * at.y2)
-        q = (sp.atan2(at.y1, c1), sp.atan2(cross, dot), -sp.atan2(at.y2, c2))
+        q = (_angle(steps, at.y1, c1), _angle(steps, cross, dot), -_angle(steps, at.y2, c2))
     else:
         there = place(steps, at, lengths, r)
-        q = (-sp.atan2(there.s1r, there.c1r), sp.atan2(there.s12, there.c12), sp.atan2(there.s23, there.c23))
+        q = (
+            -_angle(steps, there.s1r, there.c1r),
+            _angle(steps, there.s12, there.c12),
+            _angle(steps, there.s23, there.c23),
+        )
     h = _size(steps, moving)
     return Program(
         f"self_motion_point_{task}",
@@ -400,24 +409,24 @@ def stops(arm: PlanarChain, task: str) -> Program:
         px, py = steps.let("px", l1 + l2 * cos[1]), steps.let("py", l2 * sin[1])
         radicand = steps.let("radicand", px**2 + py**2 - r**2)
         root = steps.let("S", sp.sqrt(sp.Max(radicand, ZERO)))
-        lead, angle = steps.let("lead", sp.atan2(py, px)), steps.let("angle", sp.atan2(root, r))
+        lead, angle = steps.let("lead", _angle(steps, py, px)), steps.let("angle", sp.atan2(root, r))
         bent = [[sign * angle - lead, v2, -(sign * angle - lead + v2)] for sign in (1, -1)]
         found, radicands = [*found[:2], *bent, *found[2:]], [radicands[0], radicand, radicands[1]]
     else:
         r2 = steps.let("r2", r**2)
         ux, uy = steps.let("ux", r - l1 * cos[0]), steps.let("uy", -l1 * sin[0])
         radicand, pairs = _two_links(steps, l2**2, l3**2, steps.let("u2", ux**2 + uy**2))
-        towards = steps.let("towards", sp.atan2(uy, ux))
+        towards = steps.let("towards", _angle(steps, uy, ux))
         found += [[v1, towards - lag - v1, bend] for bend, lag in pairs]
         radicands.append(radicand)
         px, py = steps.let("px", l1 + l2 * cos[1]), steps.let("py", l2 * sin[1])
         radicand, pairs = _two_links(steps, steps.let("p2", px**2 + py**2), l3**2, r2)
-        lead = steps.let("lead", sp.atan2(py, px))
+        lead = steps.let("lead", _angle(steps, py, px))
         found += [[-lag - lead, v2, lead + bend - v2] for bend, lag in pairs]
         radicands.append(radicand)
         wx, wy = steps.let("wx", l2 + l3 * cos[2]), steps.let("wy", l3 * sin[2])
         radicand, pairs = _two_links(steps, l1**2, steps.let("w2", wx**2 + wy**2), r2)
-        lead = steps.let("lead", sp.atan2(wy, wx))
+        lead = steps.let("lead", _angle(steps, wy, wx))
         found += [[-lag, bend - lead, v3] for bend, lag in pairs]
         radicands.append(radicand)
     return Program(
