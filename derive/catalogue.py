@@ -140,6 +140,38 @@ def continuation(subject: Subject, make: Callable[[ModuleType, Any, str], Progra
     return make(subject.family, subject.arm, task) if f"continuation_{task}" in continuations(model) else None
 
 
+@dataclass(frozen=True)
+class Curve:
+    """A curve on which a task is held, as the template that follows it sees it.
+
+    Attributes:
+        task: the task.
+        kinds: the joints' kinds.
+        parameters: whether the functions take the family's numbers.
+        positions: how many of the task's first rows are lengths.
+        whole: 1 where these rows are the whole velocity of the tip, else 0.
+        spatial: 1 where three rows of a spatial orientation follow, else 0.
+    """
+
+    task: str
+    kinds: str
+    parameters: bool
+    positions: int
+    whole: int
+    spatial: int
+
+
+def curve(model: Model, group: str) -> Curve | None:
+    """The curve that the functions of a group ``continuation_<task>`` follow."""
+    if group not in continuations(model):
+        return None
+    task = group.removeprefix("continuation_")
+    flat = model.family == "planar"
+    positions = {"x_alpha": 1}.get(task, 2) if flat else 3
+    spatial = int(not flat and task == "pose")
+    return Curve(task, model.kinds, bool(model.parameter_names), positions, int(task != "x_alpha"), spatial)
+
+
 def continuations(model: Model) -> tuple[str, ...]:
     """Groups with what following a self-motion takes: one for each task with one row less than there are joints."""
     tasks = FAMILIES[model.family][1]
@@ -186,7 +218,8 @@ def extras(model: Model) -> tuple[str, ...]:
     """Groups that only some models have.
 
     Planar arms have ``motion`` (the tip's path along a joint motion), with 3 or 4 joints ``speed_ratio``, and the RRR
-    arms ``self_motion`` (in closed form); arms with a joint more than a task has rows, ``continuation_<task>``; what belongs to no arm is the profile of a motion, ``rest_to_rest``.
+    arms ``self_motion`` (in closed form); arms with one joint more than a task has rows have ``continuation_<task>``;
+    what belongs to no arm is the profile of a motion, ``rest_to_rest``.
     """
     if model.family == "planar":
         closed = ("self_motion",) if model.name == "planar_rrr" else ()
