@@ -21,6 +21,7 @@ from chainrule.derive import (
     planar,
     planar_3r,
     planar_motion,
+    regional_3r,
     rest_to_rest,
     self_motion,
     self_motion_planar_3r,
@@ -28,20 +29,22 @@ from chainrule.derive import (
     speed_ratio_4,
 )
 from chainrule.derive.program import Program, Steps, needed
-from chainrule.description import REST_TO_REST, Model, planar_model
+from chainrule.description import REGIONAL_3R, REST_TO_REST, Model, planar_model
 
 #: The module of each family, and its tasks with their number of rows.
 FAMILIES: dict[str, tuple[ModuleType, dict[str, int]]] = {
     "serial": (chain, {"position": 3, "pose": 6}),
     "planar": (planar, {"position": 2, "x_alpha": 2, "pose": 3}),
     "orthogonal_3r": (chain, {"position": 3, "pose": 6}),
+    "regional_3r": (regional_3r, {}),
     "motion": (rest_to_rest, {}),
 }
 
-#: Models, and groups of them, that are generated although no embedded arm needs them: motion profiles, and of the
-#: planar arms of three joints what speed ratios and following a path take.
+#: Models, and groups of them, that are generated although no embedded arm needs them: motion profiles, the normal form
+#: of any 3R arm, and of the planar arms of three joints what speed ratios and following a path take.
 STANDING: dict[Model, tuple[str, ...]] = {
     REST_TO_REST: ("rest_to_rest",),
+    REGIONAL_3R: ("cuspidality",),
     **{planar_model("".join(kinds)): ("kinematics", "motion", "speed_ratio") for kinds in product("RP", repeat=3)},
 }
 
@@ -95,6 +98,15 @@ class Subject:
         """A result that is known in closed form for this model only."""
         found: Program | None = getattr(self.closed, name)(self.arm) if hasattr(self.closed, name) else None
         return found
+
+    @cached_property
+    def regional(self) -> regional_3r.Arm:
+        """The normal form of a 3R arm."""
+        return regional_3r.arm() if self.family is regional_3r else orthogonal_3r.normal_form()
+
+    def right_angle(self, derivation: Callable[[regional_3r.Arm], Program]) -> Program | None:
+        """What differs where alpha2 = +-90 deg, for the general 3R arm."""
+        return None if self.regional.right_angle else derivation(regional_3r.right_angled(self.regional))
 
     def null_vector(self) -> Program | None:
         """The null vector from the signed minors, where one joint is to spare."""
@@ -200,6 +212,14 @@ CATALOGUE: tuple[Entry, ...] = (
         for task in ("position", "x_alpha", "pose")
         for make in (self_motion.held, self_motion.bending)
     ),
+    Entry("cuspidality", lambda s: regional_3r.quartic(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.cusp_polynomial(s.regional)),
+    Entry("cuspidality", lambda s: s.right_angle(regional_3r.cusp_polynomial)),
+    Entry("cuspidality", lambda s: regional_3r.aspect_polynomial(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.determinant_terms(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.triple_point(s.regional)),
+    Entry("cuspidality", lambda s: s.right_angle(regional_3r.triple_point)),
+    Entry("cuspidality", lambda s: regional_3r.image(s.regional)),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -219,13 +239,15 @@ def extras(model: Model) -> tuple[str, ...]:
 
     Planar arms have ``motion`` (the tip's path along a joint motion), with 3 or 4 joints ``speed_ratio``, and the RRR
     arms ``self_motion`` (in closed form); arms with one joint more than a task has rows have ``continuation_<task>``;
-    what belongs to no arm is the profile of a motion, ``rest_to_rest``.
+    what belongs to no arm is the profile of a motion, ``rest_to_rest``. The normal form of 3R arms, and the orthogonal
+    ones, have ``cuspidality``: postures, cusps and aspects.
     """
     if model.family == "planar":
         closed = ("self_motion",) if model.name == "planar_rrr" else ()
         more = ("motion", "speed_ratio", *closed) if len(model.kinds) in (3, 4) else ("motion",)
         return (*more, *continuations(model))
-    return ("rest_to_rest",) if model.family == "motion" else continuations(model)
+    others = {"motion": "rest_to_rest", "orthogonal_3r": "cuspidality", "regional_3r": "cuspidality"}
+    return (others[model.family],) if model.family in others else continuations(model)
 
 
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
@@ -235,7 +257,12 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
         return (family, self_motion)
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
-        known = {"motion": planar_motion, "speed_ratio": ratios, "self_motion": self_motion_planar_3r}
+        known = {
+            "motion": planar_motion,
+            "speed_ratio": ratios,
+            "self_motion": self_motion_planar_3r,
+            "cuspidality": orthogonal_3r,
+        }
         return (known.get(group, family),)
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     general = [manipulability] if group in tasks else []
@@ -248,7 +275,7 @@ def symbolic(model: Model) -> Any:
         return planar.planar_chain(model.kinds, model.parameter_names)
     if model.family == "orthogonal_3r":
         return orthogonal_3r.orthogonal_chain()
-    if model.family == "motion":
+    if model.family in ("motion", "regional_3r"):
         return None
     return chain.chain(model.kinds, model.placements, model.tool)
 

@@ -44,8 +44,9 @@ C = Language(
         "copysign": "CR_COPYSIGN({0}, {1})",
     },
 )
+#: Whole numbers are written as such, so that polynomials stay exact on integers and fractions.
 NUMPY = Language(
-    repr,
+    lambda x: repr(int(x)) if x.is_integer() and 0 < abs(x) < 2**53 else repr(x),
     {
         "sqrt": "np.sqrt({0})",
         "abs": "np.abs({0})",

@@ -10,6 +10,7 @@ from functools import cache
 
 import sympy as sp
 
+from chainrule.derive import regional_3r
 from chainrule.derive.chain import Chain, Link, minor_matrix
 from chainrule.derive.manipulability import maximal_minors
 from chainrule.derive.program import Expression, Input, Output, Program, Steps, closed_form, variables
@@ -25,6 +26,13 @@ def orthogonal_chain() -> Chain:
     up = ((_1, _0, _0), (_0, _0, -_1), (_0, _1, _0))
     links = (Link(_EYE, (_0, _0, _0)), Link(down, (d2, r2, _0)), Link(up, (d3, _0, _0)))
     return Chain("RRR", links, Link(_EYE, (d4, _0, _0)), (variables("q", 3), Input("parameters", (4,), symbols)))
+
+
+def normal_form() -> regional_3r.Arm:
+    """The family in the normal form of any 3R arm: ca2 = 0, sa2 = -1, ca3 = 0, sa3 = 1, r3 = 0."""
+    given = orthogonal_chain().inputs[1]
+    d2, d3, d4, r2 = given.symbols
+    return regional_3r.Arm(given, _0, -_1, _0, _1, d2, d3, d4, r2, _0)
 
 
 @cache

@@ -229,10 +229,10 @@ class Model:
 
     ``parameters`` are the numbers a family's functions take at run time (empty for a serial chain, whose
     numbers are in its code). ``digest`` identifies the structure; ``name`` is a safe identifier. The family
-    ``motion`` is no arm: motion profiles along one axis.
+    ``motion`` is no arm: motion profiles along one axis; ``regional_3r`` is the normal form of any 3R arm.
     """
 
-    family: Literal["serial", "planar", "orthogonal_3r", "motion"]
+    family: Literal["serial", "planar", "orthogonal_3r", "regional_3r", "motion"]
     name: str
     kinds: str = ""
     parameter_names: tuple[str, ...] = ()
@@ -250,6 +250,9 @@ class Model:
 
 #: Motion profiles along one axis, from rest to rest.
 REST_TO_REST = Model("motion", "motion")
+
+#: Any arm of three revolute joints that positions a point, in normal form: cosines and sines of its twists, lengths.
+REGIONAL_3R = Model("regional_3r", "regional_3r", "RRR", ("ca2", "sa2", "ca3", "sa3", "d2", "d3", "d4", "r2", "r3"))
 
 
 def planar_model(kinds: str, lengths: Sequence[float] = (), headings: Sequence[float] = ()) -> Model:
