@@ -51,8 +51,8 @@ from chainrule.derive.program import (
 
 TASKS = ("position", "x_alpha")
 
-#: Means of the arithmetic-geometric mean: enough for (a - b) (c - d) down to 1e-32 of (a - c) (b - d).
-LANDEN = 8
+#: Steps of the arithmetic-geometric mean: enough for (a - b) (c - d) down to 1e-32 of (a - c) (b - d).
+LANDEN = 9
 
 ZERO, ONE = sp.Integer(0), sp.Integer(1)
 

@@ -131,7 +131,8 @@ def cases(lengths: Array, target: Array, task: str) -> tuple[Array, Array, Array
     offset = np.zeros((len(target), 3))
     if task == "position":
         offset[:, 0] = np.arctan2(target[:, 1], target[:, 0])
-        reach, active = np.hypot(target[:, 0], target[:, 1]), lengths
+        with np.errstate(over="ignore"):  # refused below
+            reach, active = np.hypot(target[:, 0], target[:, 1]), lengths
     else:
         offset[:, 2] = target[:, 1]
         reach, active = target[:, 0] - lengths[:, 2] * np.cos(target[:, 1]), lengths * [1.0, 1.0, 0.0]

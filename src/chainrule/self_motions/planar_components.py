@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -57,63 +58,49 @@ def _residual(arm: Arm, q: Array, target: Array, task: str) -> float:
 
 def _range_of_h(piece: Piece) -> tuple[float, float]:
     """Least and greatest H: its local extremes, closed in on."""
-    low, high = _over(piece, lambda parameter, path: path.evaluate(parameter)[1])
+    low, high = _over(piece, lambda path, rounds, parameter: path.evaluate(parameter)[1])
     return low * piece.case.scale_of_h, high * piece.case.scale_of_h
 
 
-def _over(piece: Piece, function: Callable[[Array, Path], Array]) -> tuple[float, float]:
-    """Extremes of a function of the parameter over the piece, end points included."""
+#: A function of the path, whole rounds, and the path's parameter.
+Quantity = Callable[[Path, int, Array], Array]
+
+
+def _over(piece: Piece, quantity: Quantity) -> tuple[float, float]:
+    """Extremes of a quantity over the piece, end points included, round by round."""
     path = piece.path
     assert path is not None
-    if piece.rounds >= 1.0:
-        return path.extremes(lambda parameter: function(parameter, path))
-    whole, ends = piece.located(np.array([0.0, 1.0]))
-    if whole[0] == whole[1]:
-        return between(path, ends[0], ends[1], function)
-    low1, high1 = between(path, ends[0], path.end, function)
-    low2, high2 = between(path, path.start, ends[1], function)
-    return min(low1, low2), max(high1, high2)
-
-
-def between(path: Path, first: float, last: float, function: Callable[[Array, Path], Array]) -> tuple[float, float]:
-    """Extremes between two parameters of a path."""
-    part = object.__new__(Path)
-    part.start, part.end, part.edges = float(first), float(last), path.edges
-    return part.extremes(lambda parameter: function(parameter, path))
+    end = piece.begin + piece.rounds
+    found = []
+    for rounds in range(math.floor(piece.begin), math.ceil(end)):
+        first, last = max(piece.begin - rounds, 0.0), min(end - rounds, 1.0)
+        if last > first:
+            between = path.parameter_at(np.array([first, last]) * path.length)
+            found.append(path.extremes(partial(quantity, path, rounds), between[0], between[1]))
+    return min(low for low, _ in found), max(high for _, high in found)
 
 
 def _box(piece: Piece, q: Array) -> Array:
     """Range of each unwrapped joint: in closed form on whole curves, else from its extremes along the piece."""
-    low, high = q.min(axis=0), q.max(axis=0)
-    if piece.angles is None or piece.rounds != 1.0 or not piece.closed:
-        if piece.rounds > 1.0 or piece.path is None:
-            return np.stack([low, high], axis=-1)
-        found = []
-        for joint in range(3):
-            if piece.closed and abs(piece.advance[joint]) > 1.0:
-                found.append(sorted((q[0, joint], q[0, joint] + piece.advance[joint])))
-                continue
-            ends = piece.joints(np.array([0.0, 1.0]))[:, joint]
-            middle = (low[joint] + high[joint]) / 2.0
-            values = _over(piece, _coordinate(piece.sign, joint))
-            moved = piece.offset[joint] + piece.shift[joint]
-            pair = np.sort(np.array(values)) + moved
-            pair += TURN * np.rint((middle - pair.mean()) / TURN)
-            found.append([min(pair[0], ends.min()), max(pair[1], ends.max())])
-        return np.array(found)
+    if piece.angles is None or not piece.closed:
+        found = [_over(piece, _coordinate(piece, joint)) for joint in range(3)]
+        ends = piece.joints(np.array([0.0, 1.0]))  # at a stop, exactly
+        low, high = (np.array(values) for values in zip(*found, strict=True))
+        return np.stack([np.minimum(low, ends.min(axis=0)), np.maximum(high, ends.max(axis=0))], axis=-1)
     raw = piece.sign * (q[0] - piece.offset)  # of the curve that is not mirrored
     sense = piece.sign * np.sign(piece.advance)
     box = piece.sign * closed_boxes(piece.case.task, piece.angles, raw, sense)
     box = np.sort(box, axis=-1) + piece.offset[:, None]
-    fits: Array = box + TURN * np.rint((low + high - box.sum(axis=-1)) / (2.0 * TURN))[:, None]
+    middle = q.min(axis=0) + q.max(axis=0) - box.sum(axis=-1)
+    fits: Array = box + TURN * np.rint(middle / (2.0 * TURN))[:, None]
     return fits
 
 
-def _coordinate(sign: float, joint: int) -> Callable[[Array, Path], Array]:
+def _coordinate(piece: Piece, joint: int) -> Quantity:
     """A joint's value as a function of the path's parameter."""
 
-    def value(parameter: Array, path: Path) -> Array:
-        found: Array = sign * path.joints_at(parameter)[..., joint]
+    def value(path: Path, rounds: int, parameter: Array) -> Array:
+        found: Array = piece.at_parameter(np.full(np.shape(parameter), float(rounds)), parameter)[..., joint]
         return found
 
     return value

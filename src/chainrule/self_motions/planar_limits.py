@@ -87,14 +87,15 @@ def _parameters(case: Case, piece: Piece, q: Array) -> Array:
     """The parameters of configurations (m, 3) of the functions' own joint values, where they are on this piece."""
     first, second = (q[:, 1], q.sum(axis=1)) if case.task == "position" else (q[:, 0], -q[:, 2])
     gaps, pattern = evaluator(f"gaps_{case.task}")(case.reach, case.sums, case.lengths)
-    if piece.nested:  # the triangle that never falls flat has the sign of the curve
+    if piece.one_sided:  # the triangle that never falls flat has the sign of the curve
         outer = second if pattern[0] else first
         q, first, second = (part[np.sin(outer) > 0.0] for part in (q, first, second))
     halves = np.stack([wrapped(first), wrapped(second)], axis=-1) / 2.0
     phase = evaluator(f"phase_{case.task}")(halves, case.reach, case.sums, case.lengths)
     cosine, sine = phase[:, 0], phase[:, 1]
     if piece.quarter is not None:
-        return np.asarray(np.mod(np.arctan2(sine, cosine) - piece.quarter * math.pi / 2.0, TURN))
+        period = math.pi if piece.one_sided else TURN
+        return np.asarray(np.mod(np.arctan2(sine, cosine) - piece.quarter * math.pi / 2.0, period))
     path = piece.path
     assert path is not None
     return np.mod(theta_of(cosine, sine, gaps), path.end)

@@ -20,6 +20,8 @@ Array = NDArray[Any]
 
 #: Gauss-Legendre nodes in a panel, and the most panels.
 NODES, MOST = 16, 1 << 14
+#: Points of a whole path among which extremes are looked for first.
+GRID = 128
 #: Panels are doubled until the length changes by less, relatively.
 SETTLED = 1e-12
 
@@ -149,26 +151,24 @@ class Path:
         found[hit] = self.values[near][hit]
         return found
 
-    def extremes(self, function: Callable[[Array], Array], grid: int = 128) -> tuple[float, float]:
-        """Least and greatest value of a smooth function of the parameter: every local one, closed in on."""
-        panels = max(grid, 2 * (len(self.edges) - 1))
-        where = np.linspace(self.start, self.end, panels + 1)
+    def extremes(self, function: Callable[[Array], Array], first: float, last: float) -> tuple[float, float]:
+        """Least and greatest value of a function between two parameters: every local one, closed in on."""
+        share = abs(last - first) / abs(self.end - self.start)
+        panels = max(32, math.ceil(share * max(GRID, 2 * len(self.edges))))
+        where = np.linspace(first, last, panels + 1)
         values = function(where)
-        found = []
-        for sign in (1.0, -1.0):
-            v = sign * values
-            padded = np.concatenate([[np.inf], v, [np.inf]])
-            low = np.flatnonzero((v <= padded[:-2]) & (v <= padded[2:]))
-            best, width = float(v.min()), (self.end - self.start) / panels
-            middle = where[low]
-            near = v[low] <= best + 0.05 * float(np.ptp(v))
-            middle = middle[near]
-            for _ in range(7):
-                fine = np.clip(middle[:, None] + width * np.linspace(-1.0, 1.0, 17), self.start, self.end)
-                there = sign * function(fine)
-                pick = there.argmin(axis=1)
-                rows = np.arange(len(middle))
-                middle, best = fine[rows, pick], min(best, float(there[rows, pick].min()))
-                width /= 8.0
-            found.append(sign * best)
-        return found[0], found[1]
+        return -_greatest(function, where, -values, -1.0), _greatest(function, where, values, 1.0)
+
+
+def _greatest(function: Callable[[Array], Array], where: Array, values: Array, sign: float) -> float:
+    """The greatest of sign * function, whose values on an even grid are known."""
+    padded = np.concatenate([[-np.inf], values, [-np.inf]])
+    peaks = (values >= padded[:-2]) & (values >= padded[2:]) & (values >= values.max() - 0.05 * float(np.ptp(values)))
+    middle, best, width = where[peaks], float(values.max()), where[1] - where[0]
+    fan = np.linspace(-1.0, 1.0, 17)
+    for _ in range(7):
+        fine = np.clip(middle[:, None] + width * fan, where[0], where[-1])
+        there = sign * function(fine)
+        best = max(best, float(there.max()))
+        middle, width = fine[np.arange(len(middle)), there.argmax(axis=1)], width / 8.0
+    return best

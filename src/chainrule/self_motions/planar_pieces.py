@@ -37,6 +37,7 @@ class Piece:
         angles: (3, 2) least and greatest |angle| of q1 from the target's direction, q2, q3 (x_alpha: q1, q2, heading
             of link 2), where the curve is a whole closed one; else None.
         nested: whether it is one of two curves.
+        one_sided: whether one triangle keeps the sign of its area on it, and phi stands for phi + pi as well.
         quarter: where phi is the path's parameter (singular self-motions), how many quarter turns it is counted from.
         velocity: (3,) where the joints move in proportion to the parameter (circles); else None.
         begin, rounds: where it begins on the path and how much of it it runs through, in lengths of the path.
@@ -51,7 +52,7 @@ class Piece:
         self.quarter: int | None = None
         self.velocity: Array | None = None
         self.angles: Array | None = None
-        self.nested = False
+        self.nested = self.one_sided = False
         self.of: int | None = None
         self.span = (0.0, 1.0)
         self.ends: tuple[str, ...] = ()
@@ -98,7 +99,8 @@ def _loops(case: Case, number: int) -> tuple[Piece, ...]:
     found = []
     for sign in (1.0, -1.0)[:number]:
         piece = Piece(case, path, path.values[0], sign=sign)
-        piece.angles, piece.nested = angles, number == 2
+        piece.angles = angles
+        piece.nested = piece.one_sided = number == 2
         found.append(piece)
     return tuple(found)
 
@@ -148,17 +150,18 @@ def _pieces(case: Case, number: int) -> tuple[str, tuple[Piece, ...]]:
     else:
         top, bottom, parallel = bool(case.zero[2]), bool(case.zero[6]), False
     # flat postures at x = b (phi = 0, pi) where a = b, at x = c (phi = pi/2, 3 pi/2) where c = d
-    spans = {
-        (True, False): ((0, 2), (2, 4)),
-        (False, True): ((1, 3), (3, 5)),
-        (True, True): ((0, 1), (1, 2), (2, 3), (3, 4)),
-    }
+    spans = {(True, False): ((0, 2),), (False, True): ((1, 3),), (True, True): ((0, 1), (1, 2))}
+    pattern = evaluator(f"gaps_{case.task}")(case.reach, case.sums, case.lengths)[1]
     found = []
     for first, last in spans[top, bottom]:
         evaluate, width = by_phi(case, first), (last - first) * math.pi / 2.0
         near = evaluate(np.array([1e-7, width - 1e-7]))[0]
         ends = _flat(near)
-        found.append(_piece(case, Path(evaluate, 0.0, width, (ends[0], ends[1])), quarter=first))
+        path = Path(evaluate, 0.0, width, (ends[0], ends[1]))
+        for sign in (1.0, -1.0):  # the other triangle's area has the other sign on the mirror image
+            piece = _piece(case, path, sign=sign, quarter=first)
+            piece.one_sided = bool(pattern[0] == pattern[1])
+            found.append(piece)
     if parallel:  # l1 = l2, l3 = r: link 2 folded back on link 1, which turns freely
         velocity, speed = np.array([1.0, 0.0, -1.0]), math.sqrt(2.0)
         for turned in (0.0, math.pi):
@@ -180,11 +183,13 @@ def _flat(q: Array) -> Array:
     return found
 
 
-def _piece(case: Case, path: Path, quarter: int | None = None, velocity: Array | None = None) -> Piece:
+def _piece(
+    case: Case, path: Path, sign: float = 1.0, quarter: int | None = None, velocity: Array | None = None
+) -> Piece:
     """An arc between singular points, closed where it ends in the posture that it begins in."""
     moved = path.values[-1] - path.values[0]
     closed = bool(np.abs(wrapped(moved)).max() < 1e-6)
-    piece = Piece(case, path, path.values[0], closed=closed)
+    piece = Piece(case, path, path.values[0], sign=sign, closed=closed)
     piece.ends = () if closed else ("singular", "singular")
     piece.quarter, piece.velocity = quarter, velocity
     return piece
