@@ -237,7 +237,7 @@ class Dense:
         q = self.held.corrected(x * self.held.unit, self.target)
         ends = (at <= 0.0, at >= self.s[-1])
         q[ends[0]], q[ends[1]] = self.x[0] * self.held.unit, self.x[-1] * self.held.unit
-        return q.reshape(*fractions.shape, -1)
+        return q.reshape(*fractions.shape, len(self.held.unit))
 
 
 def quintic(first: tuple[Array, Array, Array], last: tuple[Array, Array, Array], u: Array) -> Array:
@@ -414,7 +414,7 @@ def trace(
         >>> import chainrule as cr
         >>> curve = trace(cr.planar_3r(0.4, 0.35, 0.25), [0.5, 1.0, 1.0])
         >>> curve.closed, round(curve.length, 6), curve.winding.tolist()
-        (True, 8.139131, [0, 0, 1])
+        (True, 12.888087, [0, 0, 0])
     """
     start = real_array(q0, "q0")
     if start.shape != (arm.n,):
