@@ -98,7 +98,7 @@ def half_length(reach: Array, sums: Array, lengths: Array, task: str) -> float:
 
     The trapezoidal rule over the period of an analytic integrand: its error falls geometrically.
     """
-    speed = evaluator(f"speed_{task}")
+    speed = evaluator(f"speed_{task}").function  # arrays of doubles, of the right shapes: nothing to check
     count = FIRST
     both = speed(nodes(count), reach, sums, lengths)
     even, total = 2.0 * float(np.add.reduce(both[::2])), float(np.add.reduce(both))

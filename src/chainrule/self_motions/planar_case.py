@@ -86,7 +86,8 @@ def planar_lengths_of(arm: Any) -> Array:
     if not isinstance(arm, Arm) or arm.description.model.name != "planar_rrr":
         name = arm.name if isinstance(arm, Arm) else shown(arm)
         raise InputError(f"{name}: not a planar arm with three revolute joints; that is what the closed form is for")
-    return checked_lengths(arm.parameters, arm.name)
+    lengths = arm.parameters
+    return lengths if min(lengths.tolist()) >= 0.0 else checked_lengths(lengths, arm.name)
 
 
 def checked_lengths(lengths: Any, name: str = "lengths") -> Array:
