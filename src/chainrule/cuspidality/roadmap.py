@@ -97,9 +97,11 @@ class Roadmap:
         for s in (-1.0, 1.0):
             nodes, asked = np.flatnonzero(self.sign == s), np.flatnonzero(sign == s)
             if len(nodes) and len(asked):
-                near = _tree(self.space, self.q[nodes]).query(
-                    _on_circle(self.space, postures[asked])[:, used], min(REACH, len(nodes))
-                )[1].reshape(len(asked), -1)
+                near = (
+                    _tree(self.space, self.q[nodes])
+                    .query(_on_circle(self.space, postures[asked])[:, used], min(REACH, len(nodes)))[1]
+                    .reshape(len(asked), -1)
+                )
                 edges.append(np.stack([np.repeat(m + asked, near.shape[1]), nodes[near].ravel()], axis=-1))
         pairs = np.concatenate(edges).astype(int)
         every = np.concatenate([self.q, postures])
