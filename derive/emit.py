@@ -45,7 +45,8 @@ CONTINUATION = {
     "order": 7,
     "least_turn": 0.02,
     "most_turn": 0.7,
-    "finest": 1e-12,
+    "finest": 1e-13,
+    "balls": 6,
 }
 
 

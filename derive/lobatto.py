@@ -8,10 +8,10 @@ import sympy as sp
 
 
 def context(order: int) -> dict[str, Any]:
-    """Literals of the points and of two maps from values there.
+    """Literals of the points and of the maps from values there.
 
-    The maps give the integrals up to each point, and the last Legendre coefficient, of the polynomial through the
-    values. The points are -1, 1 and the roots of P', P the Legendre polynomial of degree ``order`` - 1.
+    The maps give the integrals up to each point, and the last four Legendre coefficients, of the polynomial through
+    the values. The points are -1, 1 and the roots of P', P the Legendre polynomial of degree ``order`` - 1.
     """
     x = sp.Symbol("x")
     inner = sorted(sp.Poly(sp.diff(sp.legendre(order - 1, x), x), x).nroots(n=40))
@@ -23,7 +23,7 @@ def context(order: int) -> dict[str, Any]:
     return {
         "nodes_text": _literals((point + 1) / 2 for point in points),
         "running_text": [_literals(running.row(i)) for i in range(order)],
-        "last_text": _literals(coefficients.row(order - 1)),
+        "last_text": [_literals(coefficients.row(k)) for k in range(order - 4, order)],
     }
 
 

@@ -354,13 +354,18 @@ def traces(held: Held, starts: Array, targets: Array, settings: Settings, *, com
         begin = 0
         for k in range(done, done + taken):
             end = begin + int(results[k]["points"])
-            yield _trace(held, points[begin:end].copy(), boxes[k], results[k])
+            yield _trace(held, starts[k], points[begin:end].copy(), boxes[k], results[k])
             begin = end
         done += taken
 
 
-def _trace(held: Held, rows: Array, box: Array, result: Any) -> Trace:
+def _trace(held: Held, start: Array, rows: Array, box: Array, result: Any) -> Trace:
     n, reason = held.arm.n, tracing.REASONS[result["reason"]]
+    span = (float(result["lowest"]), float(result["highest"]))
+    if not len(rows):  # nothing but the start
+        h = float(np.linalg.norm(held.bend(start)[0]))
+        rows = np.concatenate([start / held.unit, np.zeros(2 * n + 1), [h, 0.0]])[np.newaxis]
+        box, span = np.stack([start, start], axis=1), (h, h)
     x = rows[:, :n]
     turns = np.rint((x[-1] - x[0]) / (2.0 * math.pi)) if reason == "closed" else np.zeros(n)
     return Trace(
@@ -371,7 +376,7 @@ def _trace(held: Held, rows: Array, box: Array, result: Any) -> Trace:
         rows[:, 3 * n + 1],
         rows[:, 3 * n + 2],
         box.copy(),
-        (float(result["lowest"]), float(result["highest"])),
+        span,
         reason,
         int(result["steps"]),
         int(result["evaluations"]),

@@ -17,9 +17,9 @@ stated length scale (prismatic joints), so that everything is in rad: x stands f
    correct by Newton's method, x -= J^+ e; halve the step where that does not contract.
 3. *Closure.* Where the start, each revolute joint shifted by whole turns, lies ahead within the slab, the arc leads to
    it: the curve is closed. The last step is solved for in the plane through the start normal to its tangent.
-4. *Length.* As often as the tangent has turned a little, the length since then is the integral of 1 / (t.d) over the
-   distance along the chord's direction d: Lobatto's rule, each node corrected on the curve. The size of the last
-   Legendre coefficient of the integrand, squared, estimates the error and sets the next turn.
+4. *Length.* As often as the tangent has turned a little (or 6 radii were passed), the length since then is the integral of 1 / (t.d) over the
+   distance along the chord's direction d: Lobatto's rule, each node corrected on the curve. Its last
+   Legendre coefficients, and how fast they fall, estimate the error and set the next turn.
 5. *Extrema* of each joint and of H between nodes: the roots of the tangent's component and of dH/ds.
 """
 
@@ -48,7 +48,8 @@ NODES = 48  # certified points kept between two output points
 HISTORY = 3  # points that the predictor uses
 NEWTON = 12  # most corrections
 LEAST_TURN, MOST_TURN = 0.02, 0.7  # of the tangent between two ends of a length rule
-FINEST = 1e-12  # the error of a length rule, relative to its chord, that is asked for
+BALLS = 6.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
+FINEST = 1e-13  # the error of a length rule, relative to its chord, that is asked for
 
 
 def lobatto(order: int) -> tuple[Array, Array, Array, Array]:
@@ -56,7 +57,7 @@ def lobatto(order: int) -> tuple[Array, Array, Array, Array]:
 
     Returns:
         nodes (order,), weights (order,), the integrals from 0 to each node (order, order) of the interpolating
-        polynomial, and its last Legendre coefficient (order,).
+        polynomial, and its last four Legendre coefficients (4, order).
     """
     from numpy.polynomial import legendre
 
@@ -70,7 +71,7 @@ def lobatto(order: int) -> tuple[Array, Array, Array, Array]:
     coefficients = np.linalg.inv(legendre.legvander(nodes, order - 1))  # values to Legendre coefficients
     integrals = np.stack([legendre.legint(np.eye(order)[k], lbnd=-1.0) for k in range(order)])
     running = legendre.legval(nodes, integrals.T).T @ coefficients / 2.0
-    return (nodes + 1.0) / 2.0, running[-1], running, coefficients[-1]
+    return (nodes + 1.0) / 2.0, running[-1], running, coefficients[-4:]
 
 
 ORDER = 7
@@ -237,6 +238,10 @@ class Follower:
         slope = float(null @ bending) / (h * size)
         return Row(x, self.settings.direction * t, k, s, h, self.settings.direction * slope)
 
+    def manipulability(self, x: Array) -> float:
+        """H."""
+        return float(np.linalg.norm(self.system.bending(x * self.system.unit)[0]))
+
     # ---- corrections -------------------------------------------------------------------------------------------
 
     def correct(
@@ -341,7 +346,11 @@ class Follower:
             step *= 2.0
             if self.singular(jacobian, bound):
                 reason = "singular"
-            elif np.linalg.norm(t - nodes[0].t) >= self.turn or len(nodes) >= NODES:
+            elif (
+                np.linalg.norm(t - nodes[0].t) >= self.turn
+                or np.linalg.norm(x - nodes[0].x) >= BALLS * min(each.radius for each in nodes)
+                or len(nodes) >= NODES
+            ):
                 nodes = self.measure(nodes)
         self.measure(nodes)
         return self.finished(reason, origin.x, closure)
@@ -420,7 +429,10 @@ class Follower:
             points.append(found[0])
         rows = [self.rows[-1], *(self.row(x, 0.0) for x in [*points, last.x])]
         values = np.array([1.0 / float(row.t @ d) for row in rows])
-        error = float(LOBATTO_LAST @ values) ** 2
+        # Of smooth integrands they fall as r^-k, and the rule's error as r^-(2 ORDER - 2).
+        sizes = np.abs(LOBATTO_LAST @ values)
+        size = float(sizes[2:].max())
+        error = size * min(size / max(float(sizes[:2].max()), 1e-300), 1.0) ** 3
         if error > FINEST and not always and chord > 1e-9:
             self.turn = max(0.7 * self.turn, LEAST_TURN)
             return False
@@ -449,11 +461,13 @@ class Follower:
     def finished(self, reason: str, start: Array, closure: float) -> Trace:
         """Everything about the curve, extrema refined."""
         unit, n = self.system.unit, len(start)
+        if not self.rows:  # nothing but the start
+            self.rows.append(Row(start, np.zeros(n), np.zeros(n), 0.0, self.manipulability(start), 0.0))
         rows = self.rows
         x = np.array([row.x for row in rows]).reshape(-1, n)
         h = np.array([row.h for row in rows])
-        box = np.stack([x.min(axis=0), x.max(axis=0)], axis=1) if rows else np.full((n, 2), math.nan)
-        span = [float(h.min()), float(h.max())] if rows else [math.nan, math.nan]
+        box = np.stack([x.min(axis=0), x.max(axis=0)], axis=1)
+        span = [float(h.min()), float(h.max())]
         for a, b in pairwise(rows):
             for i in range(n + 1):
                 for row in self.extrema(a, b, i):
