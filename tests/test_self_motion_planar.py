@@ -689,6 +689,9 @@ def test_arms_and_tasks_that_are_refused():
         planar_self_motion(arm_of(PAPER), [0.1, 0.0], "pose")
     with pytest.raises(InputError, match="points"):
         planar_self_motion(arm_of(PAPER), [0.1, 0.0], points=1)
+    for accuracy in (0.0, math.nan, 1, "high"):
+        with pytest.raises(InputError, match="accuracy"):
+            planar_lengths(arm_of(PAPER), [0.1, 0.0], accuracy=accuracy)
     with pytest.raises(InputError, match="lengths"):
         self_motion_map([0.1, 0.2], [0.1, 0.0])
     with pytest.raises(InputError, match="broadcast"):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from chainrule.arm import Arm
 from chainrule.errors import InputError
 from chainrule.self_motions import planar_case as deciding
-from chainrule.self_motions.planar_3r import AGREED, FIRST, LAST, between_nodes, nodes
+from chainrule.self_motions.planar_3r import FIRST, LAST, between_nodes, nodes, settled
 from chainrule.self_motions.planar_case import REGULAR, SINGULAR, STATUS, Case, closed_boxes, evaluator
 from chainrule.self_motions.planar_pieces import pieces_of
 
@@ -157,22 +157,23 @@ def _block(lengths: Array, targets: Array, task: str) -> tuple[Array, Array, Arr
 
 
 def _half_lengths(reach: Array, sums: Array, lengths: Array, task: str) -> Array:
-    """Half the length of all curves together, by the trapezoidal rule; nodes are doubled where two differ."""
+    """Half the length of all curves together, by the trapezoidal rule; nodes are doubled where it has not settled."""
     speed = evaluator(f"speed_{task}")
     found = np.empty(len(reach))
     open_, count = np.arange(len(reach)), FIRST
     given: tuple[Array, ...] = (reach[:, None], sums[:, None], lengths[:, None])
     both = speed(nodes(count), *given)
-    even, total = 2.0 * both[:, ::2].sum(axis=1), both.sum(axis=1)
+    mean, coarse, coarser = (both[:, ::step].mean(axis=1) for step in (1, 2, 4))
+    before, change = np.abs(coarse - coarser), np.abs(mean - coarse)
     while True:
-        ready = (np.abs(total - even) <= AGREED * total) | (count >= LAST)
-        found[open_[ready]] = total[ready] * (math.pi / count)
+        ready = settled(mean, change, before) | (count >= LAST)
+        found[open_[ready]] = mean[ready] * math.pi
         if ready.all():
             return found
-        open_, total = open_[~ready], total[~ready]
+        open_, mean, change = (array[~ready] for array in (open_, mean, change))
         given = tuple(array[~ready] for array in given)
-        even, total = 2.0 * total, total + _summed(speed, between_nodes(count), given)
-        count *= 2
+        finer = (mean + _summed(speed, between_nodes(count), given) / count) / 2.0
+        before, change, mean, count = change, np.abs(finer - mean), finer, 2 * count
 
 
 def _summed(speed: Any, where: Array, given: tuple[Array, ...]) -> Array:
