@@ -25,6 +25,7 @@ from chainrule.derive import (
     rest_to_rest,
     self_motion,
     self_motion_planar_3r,
+    self_motion_sweep,
     speed_ratio,
     speed_ratio_4,
 )
@@ -184,6 +185,11 @@ def curve(model: Model, group: str) -> Curve | None:
     return Curve(task, model.kinds, bool(model.parameter_names), positions, int(task != "x_alpha"), spatial)
 
 
+def sweep(subject: Subject, make: Callable[[regional_3r.Arm], Program]) -> Program | None:
+    """What sweeping a joint of a redundant arm takes: of the general 3R arm only."""
+    return make(subject.regional) if subject.family is regional_3r else None
+
+
 def continuations(model: Model) -> tuple[str, ...]:
     """Groups with what following a self-motion takes: one for each task with one row less than there are joints."""
     tasks = FAMILIES[model.family][1]
@@ -220,6 +226,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: regional_3r.triple_point(s.regional)),
     Entry("cuspidality", lambda s: s.right_angle(regional_3r.triple_point)),
     Entry("cuspidality", lambda s: regional_3r.image(s.regional)),
+    *(Entry("cuspidality", partial(sweep, make=make)) for make in self_motion_sweep.EVERY),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
