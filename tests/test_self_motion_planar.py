@@ -546,8 +546,9 @@ def test_arcs_and_what_is_excluded_make_the_whole(lengths, target, task):
 def test_feasible_arcs_against_samples(lengths, target, task):
     rng = np.random.default_rng(12)
     limited = arcs = 0
-    for _ in range(3):
-        centre, half = rng.uniform(-2.0, 2.0, 3), rng.uniform(0.6, 3.1, 3)
+    curve = planar_self_motion(arm_of(lengths), target, task).components[0]
+    for _ in range(2):
+        centre, half = curve.at(rng.uniform()) + rng.uniform(-0.4, 0.4, 3), rng.uniform(0.6, 2.8, 3)
         limits = np.stack([centre - half, centre + half], axis=-1)
         arm = arm_of(lengths).with_limits(position=limits)
         found = planar_self_motion(arm, target, task)
