@@ -181,8 +181,8 @@ def quadrature(lengths, value, task):
             bounds = [(r * r + l3 * l3 - (l1 + s * l2) ** 2) / (2 * r * l3) for s in (1, -1)]
         else:
             bounds = [(r - l1) / l2, (r + l1) / l2]
-        low, high = (b if -1 < float(b) < 1 else arb(1 if float(b) > 0 else -1) for b in bounds)
-        if float(high) <= float(low):
+        low, high = (b if abs(b) < 1 else arb(1 if b > 0 else -1) for b in bounds)
+        if high <= low:
             return None
         first, last = high.acos(), low.acos()  # the heading rises from the first to the last
         middle, half = (first + last) / 2, (last - first) / 2
@@ -234,6 +234,9 @@ QUADRATURE = [
     *((PAPER, edge + gap, "position") for edge in (0.2, 0.3, 0.5) for gap in NEAR[2:]),
     *((PAPER, x, "x_alpha") for x in (0.02, 0.4, -0.7)),
     *((PAPER, 0.05 + gap, "x_alpha") for gap in NEAR),
+    *((PAPER, edge, "position") for edge in (0.2, 0.3)),  # as doubles, some 1e-17 from a radius
+    *(((4.0, 3.0, 2.0), math.nextafter(edge, side), "position") for edge in (1.0, 3.0, 5.0) for side in (0.0, 9.0)),
+    ((4.0, 3.0, 2.0), math.nextafter(9.0, 0.0), "position"),
     ((1.0, 1.0, 1.0), 1.0 + 1e-9, "position"),
     ((1.0, 1.0, 1.0), 1.0 - 1e-9, "position"),
     ((0.4, 0.4, 0.1), 0.1 + 1e-9, "position"),
@@ -472,8 +475,10 @@ def test_equal_links():
         whole[lengths] = found.length
         for beside in (1 - 1e-10, 1 + 1e-10):
             assert planar_self_motion(arm, [0.0, beside]).length == pytest.approx(found.length, rel=1e-4)
-    # each curve of a rhombus or parallelogram is a great circle of slope (+-1, 0) in two joints
-    assert min(whole.values()) > 3 * TURN
+    for lengths, length in whole.items():
+        # the sweep of the last link misses the curve on which it stands still, e1 = -e2
+        still = TURN * math.sqrt(2.0) if lengths[0] == lengths[1] else 0.0
+        assert length == pytest.approx(quadrature(lengths, 1.0, "position") + still, rel=1e-10)
 
 
 def test_the_first_joint_is_free_at_the_base_point():
