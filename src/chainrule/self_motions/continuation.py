@@ -583,7 +583,8 @@ def _damped(held: Held, q: Array, target: Array, spatial: bool) -> Array:
     scaled = jacobian * held.unit * rows[:, np.newaxis]
     gram = scaled @ np.swapaxes(scaled, -1, -2)
     error = np.linalg.norm(e * rows, axis=1)
-    damping = 1e-3 * np.minimum(error, 1.0) ** 2 + 1e-30  # Levenberg and Marquardt: vanishes with the error's square
+    damping = 1e-3 * np.minimum(error, 1.0) ** 2  # Levenberg and Marquardt: vanishes with the error's square
+    damping = damping + 1e-15 * np.trace(gram, axis1=-2, axis2=-1) + 1e-300  # what rounding cannot tell from rank lost
     gram += damping[:, np.newaxis, np.newaxis] * np.eye(e.shape[1])
     y = np.linalg.solve(gram, (e * rows)[..., np.newaxis])
     step = -(np.swapaxes(scaled, -1, -2) @ y)[..., 0]

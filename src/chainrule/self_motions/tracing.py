@@ -17,8 +17,9 @@ stated length scale (prismatic joints), so that everything is in rad: x stands f
    correct by Newton's method, x -= J^+ e; halve the step where that does not contract.
 3. *Closure.* Where the start, each revolute joint shifted by whole turns, lies ahead within the slab, the arc leads to
    it: the curve is closed. The last step is solved for in the plane through the start normal to its tangent.
-4. *Length.* As often as the tangent has turned a little (or 6 radii were passed), the length since then is the integral of 1 / (t.d) over the
-   distance along the chord's direction d: Lobatto's rule, each node corrected on the curve. Its last
+4. *Length.* As often as the tangent has turned a little (or 6 radii were passed), the length since then is the
+   integral of 1 / (t.d) over the distance along the chord's direction d: Lobatto's rule, each node corrected on the
+   curve. Its last
    Legendre coefficients, and how fast they fall, estimate the error and set the next turn.
 5. *Extrema* of each joint and of H between nodes: the roots of the tangent's component and of dH/ds.
 """
@@ -290,7 +291,9 @@ class Follower:
         settings = self.settings
         found = self.correct(start)
         if found is None:
-            return self.finished("start", start, math.nan)
+            # where J has lost rank on the target itself there is no tangent to begin with
+            there = float(np.linalg.norm(self.held(start)[0])) < 1e-9
+            return self.finished("singular" if there else "start", start, math.nan)
         x, t, bound, jacobian, _ = found
         origin = Point(x, t)
         origin.radius = self.radius(x, jacobian, bound, 0.5)
