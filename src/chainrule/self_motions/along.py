@@ -1,9 +1,13 @@
 """Self-motion along a path of targets: how curves change, split, merge, appear and vanish, and which lead to the end.
 
-Between two targets each curve is moved on: points of it are brought to the next target by the shortest correction, and so
-are points of the next target's curves back to this one. Where both agree, one to one and every point, the curves are the
-same ones, moved. Where they do not, the stretch between the targets is halved until they do, or until it is shorter than
-the tolerance: there the curves change.
+Between two targets each curve is moved on: points of it are brought to the next target by the shortest correction, and
+so are points of the next target's curves back to this one. Where both agree, one to one and every point, the curves are
+the same ones, moved. Where they do not, the stretch between the targets is halved until they do, or until it is shorter
+than the tolerance: there the curves change. Which curves took part is then seen from where points went.
+
+The rule speaks of where an arm goes that is moved on by the shortest correction. At a singularity of a spherical joint,
+two curves meet along a whole arc on which the joint's outer axes, in line, turn against one another: they part again
+with the halves of that arc exchanged, which counts as a reconnection although each curve looks as before.
 """
 
 from __future__ import annotations
@@ -44,8 +48,8 @@ class Change:
     Attributes:
         at: where: 2.25 is a quarter of the way from target 2 to target 3.
         width: how closely that is known: the curves are unchanged outside ``at`` +- ``width`` / 2; 0 where it is exact.
-        kind: "split", "merge", "reconnect" (as many after as before, parts of them exchanged), "appear", "vanish", or "touch": curves meet
-            but go on as they were (as far as 0.85 of their points tell; at a spherical joint's singularity).
+        kind: "split", "merge", "reconnect" (as many after as before, parts of them exchanged), "appear", "vanish", or
+            "touch": as many after as before, and 85 % or more of the points of each stayed together.
         before, after: labels of the curves it takes and those it leaves.
     """
 
@@ -106,8 +110,8 @@ class SelfMotionAlong:
     def reached(self, curve: int) -> tuple[frozenset[int], ...]:
         """For each target, the labels on which a controller may be that starts on a curve of the first target.
 
-        One label as long as the curve goes on by itself; after a split or reconnection several, since it depends on where
-        on the curve the arm was; none where its curves have vanished (or the target is singular).
+        One label as long as the curve goes on by itself; after a split or reconnection several, since it depends on
+        where on the curve the arm was; none where its curves have vanished (or the target is singular).
 
         Args:
             curve: index of the curve at the first target, from 0.
@@ -147,8 +151,9 @@ def self_motion_along(
     targets where that matters.
 
     Args:
-        arm, task: as for :func:`chainrule.self_motion`.
+        arm: as for :func:`chainrule.self_motion`.
         targets: (k, ...) two or more targets.
+        task: what is held; the arm's default task when absent.
         tolerance: how closely changes are located, as a share of the way from one target to the next.
         options: of :func:`chainrule.self_motion`.
 
@@ -166,7 +171,9 @@ def self_motion_along(
     task = held_task(arm, task)
     path, shape = checked_targets(arm, task, targets), target_shape(arm, task)
     if path.ndim != len(shape) + 1 or len(path) < 2:
-        raise InputError(f"targets has shape {path.shape}; (k, {', '.join(map(str, shape))}) with k of 2 and more is accepted")
+        raise InputError(
+            f"targets has shape {path.shape}; (k, {', '.join(map(str, shape))}) with k of 2 and more is accepted"
+        )
     width = float(real_array(tolerance, "tolerance"))
     if not 0.0 < width < 1.0:
         raise InputError(f"tolerance: {shown(tolerance)}; a share between 0 and 1 is accepted")
@@ -187,17 +194,16 @@ class _Walk:
         motions = [self.motion(float(k)) for k in range(len(self.path))]
         exact = self.exact()
         labels: list[tuple[int, ...]] = [()] * len(self.path)
-        at, here, current = -1.0, _Here(), []
+        current: list[int] = []
+        at, here = -1.0, _Here()
         for t in sorted({*map(float, range(len(self.path))), *self.around(exact)}):
             k = int(t)
             motion = motions[k] if t == k else self.motion(t)
             if motion.status == "singular":
                 continue
             known = self.known(t, motion)
-            if at < 0.0:
-                current = [self.new() for _ in motion.components]
-            else:
-                current = self.linked(at, here, t, known, current)
+            first = at < 0.0
+            current = [self.new() for _ in known.curves] if first else self.linked(at, here, t, known, current)
             if t == k:
                 labels[k] = tuple(current)
             at, here = t, known

@@ -97,7 +97,9 @@ def best_posture(
     about 1e-8 of the curve's length where the criterion is smooth (its value to rounding).
 
     Args:
-        arm, target, task: as for :func:`chainrule.self_motion`; or ``target`` is a :class:`SelfMotion` found before.
+        arm: as for :func:`chainrule.self_motion`.
+        target: likewise; or a :class:`SelfMotion` found before.
+        task: what is held; the arm's default task when absent.
         criterion: "manipulability", H = sqrt(det J J^T); "limits", the least distance of a joint from a limit over half
             its range (1 in the middle, 0 at a stop); or a function of configurations (k, n) that gives (k,) numbers.
         limits: whether the posture has to be within the arm's limits.
@@ -147,9 +149,8 @@ def _criterion(arm: Arm, criterion: str | Criterion, task: str) -> tuple[str, Cr
     def checked(q: Array) -> Array:
         values = np.asarray(given(q))
         if values.shape != (len(q),) or values.dtype.kind not in "iuf" or np.isnan(values).any():
-            raise InputError(
-                f"criterion: for configurations {q.shape} it gives {shown(values.tolist())}; ({len(q)},) numbers are accepted"
-            )
+            given_back = shown(values.tolist())
+            raise InputError(f"criterion: of configurations {q.shape} it makes {given_back}; ({len(q)},) is accepted")
         return values.astype(float)
 
     return getattr(criterion, "__name__", "function"), checked
@@ -198,4 +199,7 @@ def _maxima(part: Component, index: int, function: Criterion) -> list[LocalBest]
             np.where(left, fa, fresh),
         )
     q = part.at(best)
-    return [LocalBest(float(v), row, index, float(np.mod(at, 1.0) if part.closed else at)) for v, row, at in zip(value, q, best, strict=True)]
+    return [
+        LocalBest(float(v), row, index, float(np.mod(at, 1.0) if part.closed else at))
+        for v, row, at in zip(value, q, best, strict=True)
+    ]

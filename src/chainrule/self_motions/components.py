@@ -44,17 +44,22 @@ class Found:
 
 def all_components(arm: Arm, target: Array, task: str, *, starts: int = 64, seed: int = 0, scale: float = 1.0) -> Found:
     """All curves at a target: closed form or sweep where the arm's axes allow it, else a search from many starts."""
-    held = Held(arm, task, scale)
+    held, detail, doubts = Held(arm, task, scale), "", ""
+    known = Known(held, target)
     if task == "pose" and arm.kinds == "RRRRRRR":
         swivel = Swivel.of(arm, target)
         if swivel is not None:
-            found = _swivelled(held, swivel)
-            if found is not None:
-                return found
+            detail = swivel.singular
+            if not detail:
+                return _swivelled(held, swivel)
         sweep = Sweep.of(held, target)
         if sweep is not None and sweep.special != "unfit":
-            return _swept(held, sweep)
-    return searched(held, target, starts, seed)
+            doubts = _swept(known, sweep)
+            if not doubts and not detail:
+                return Found(tuple(known.components), "sweep", "proved")
+            doubts = f"; joint {sweep.swept + 1} was swept before, without a proof: {doubts or detail}"
+    found = searched(held, target, starts, seed, known)
+    return Found(found.components, "sweep" if doubts else found.method, found.complete + doubts, detail)
 
 
 def _traced(held: Held, target: Array, starts: Array) -> tuple[Component, ...]:
@@ -64,10 +69,8 @@ def _traced(held: Held, target: Array, starts: Array) -> tuple[Component, ...]:
 # ---- S-R-S -------------------------------------------------------------------------------------------------------
 
 
-def _swivelled(held: Held, swivel: Swivel) -> Found | None:
-    """Eight curves, or none; None at a singular pose."""
-    if swivel.singular:
-        return None
+def _swivelled(held: Held, swivel: Swivel) -> Found:
+    """Eight curves, or none."""
     if not swivel.elbows:
         return Found((), "closed form", "proved")
     starts = held.corrected(swivel.postures(np.zeros(1)).reshape(-1, 7), swivel.target)
@@ -79,8 +82,8 @@ def _swivelled(held: Held, swivel: Swivel) -> Found | None:
 # ---- a joint swept -----------------------------------------------------------------------------------------------
 
 
-def _swept(held: Held, sweep: Sweep) -> Found:
-    """The curves through all postures at the middles between events."""
+def _swept(known: Known, sweep: Sweep) -> str:
+    """The curves through all postures at the middles between events; why that is no proof, or nothing if it is one."""
     events = sweep.events()
     gaps = np.diff(events, append=events[:1] + TURN)
     middles = events + 0.5 * gaps if len(events) else np.array([0.5])
@@ -88,14 +91,15 @@ def _swept(held: Held, sweep: Sweep) -> Found:
     grid = (np.arange(CHECKED) + 0.37) * (TURN / CHECKED)
     q, rows = sweep.postures(np.concatenate([middles, grid]))
     needed = rows < len(middles)
-    known = Known(held, sweep.target)
     _followed(known, q[needed])
     doubts = [] if sweep.right else ["the spherical joint's axes are not at right angles: it has events of its own"]
     if len(events) and gaps.min() < DISTINCT:
         doubts.append(f"two events are {gaps.min():.1g} rad apart")
     if not all(curve.closed for curve in known.components):
         doubts.append("not every curve closed")
-    apart = np.minimum(np.abs(np.mod(grid[:, np.newaxis] - events + math.pi, TURN) - math.pi).min(axis=1, initial=9.0), 9.0)
+    apart = np.minimum(
+        np.abs(np.mod(grid[:, np.newaxis] - events + math.pi, TURN) - math.pi).min(axis=1, initial=9.0), 9.0
+    )
     clear = np.concatenate([np.ones(len(middles), bool), apart > 1e-6])[rows]
     astray = clear & ~needed & (known.which(q) < 0)
     if astray.any():  # an event was missed: follow what was found, and say so
@@ -105,8 +109,7 @@ def _swept(held: Held, sweep: Sweep) -> Found:
             doubts.append("a posture between events lay on no curve")
     if _folds(known, sweep, events) > 0:
         doubts.append("a curve turns back where there is no event")
-    words = "proved" if not doubts else f"{len(middles)} sections of joint {sweep.swept + 1}; not proved: " + "; ".join(doubts)
-    return Found(tuple(known.components), "sweep", words)
+    return "; ".join(doubts)
 
 
 def _followed(known: Known, q: Array) -> None:
@@ -138,19 +141,21 @@ def _folds(known: Known, sweep: Sweep, events: Array) -> int:
 # ---- many starts -------------------------------------------------------------------------------------------------
 
 
-def searched(held: Held, target: Array, starts: int, seed: int = 0) -> Found:
-    """The curves that ``starts`` random configurations, moved to the target, lie on."""
-    known = Known(held, target)
-    last, arrived_any = 0, 0
+def searched(held: Held, target: Array, starts: int, seed: int = 0, known: Known | None = None) -> Found:
+    """The curves that ``starts`` random configurations, moved to the target, lie on, besides those already known."""
+    known = Known(held, target) if known is None else known
+    last = 0
     every = start_points(held.arm, starts, seed)
     for begin in range(0, starts, BATCH):
         q, arrived = project(held.arm, every[begin : begin + BATCH], target, held.task, scale=held.scale)
-        arrived_any += int(arrived.sum())
-        for k in np.flatnonzero(arrived & (known.which(q) < 0)):
-            if known.which(q[k : k + 1])[0] < 0:
-                [curve] = _traced(held, target, q[k : k + 1])
-                known.add(curve)
-                last = begin + int(k) + 1
+        places = np.flatnonzero(arrived)
+        places = places[known.which(q[places]) < 0]
+        while len(places):
+            [curve] = _traced(held, target, q[places[:1]])
+            known.add(curve)
+            last = begin + int(places[0]) + 1
+            places = places[1:]
+            places = places[known.which(q[places]) < 0]
     if not known.components:
         return Found((), "continuation", f"{starts} starts, none of which reached the target")
     return Found(tuple(known.components), "continuation", f"{starts} starts, last new component at start {last}")

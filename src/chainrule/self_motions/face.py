@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from chainrule.arm import Arm
 from chainrule.description import Planar
 from chainrule.errors import InputError, shown
-from chainrule.inputs import real_array, whole_number
+from chainrule.inputs import whole_number
 from chainrule.self_motions import components as finding
 from chainrule.self_motions.continuation import (
     Held,
@@ -28,6 +28,8 @@ Array = NDArray[Any]
 
 #: What ``method`` may be, besides None for the best one.
 METHODS = ("closed form", "sweep", "continuation", "eigenvector")
+#: A curve that ends at a singular configuration after less than this, rad, is none.
+NOTHING = 1e-6
 
 
 def self_motion(
@@ -46,9 +48,9 @@ def self_motion(
     """Every curve of joint space on which an arm with one joint to spare holds a target.
 
     Planar 3R arms (tasks "position" and "x_alpha") and 7R arms with spherical shoulder and wrist have a closed form; of
-    7R arms with one of them, one joint is swept with all postures of the rest: in both cases ``complete`` is "proved", if
-    the conditions of the proof hold at this target. Of any other arm the curves through many starts are followed, and
-    ``complete`` says how many. Curves are followed without jumping (:mod:`chainrule.self_motions.tracing`).
+    7R arms with one of them, one joint is swept with all postures of the rest: in both cases ``complete`` is "proved",
+    if the conditions of the proof hold at this target. Of any other arm the curves through many starts are followed,
+    and ``complete`` says how many. Curves are followed without jumping (:mod:`chainrule.self_motions.tracing`).
 
     Args:
         arm: an arm with one joint more than the task has rows.
@@ -59,7 +61,8 @@ def self_motion(
             algorithm of Lenarcic (1998) as printed, which follows one curve; the best one when absent.
         limits: whether to find what is within the arm's joint limits (:attr:`SelfMotion.feasible`), if it has any.
         points: how many points of each curve to give, evenly spaced; as they were found when absent.
-        starts, seed: of the search.
+        starts: how many starts the search has.
+        seed: of the starts.
         scale: m that count as one radian of a prismatic joint.
         gamma: step of "eigenvector", rad.
 
@@ -95,7 +98,9 @@ def self_motion(
     else:
         found = finding.all_components(arm, aim, task, starts=starts, seed=seed, scale=scale)
         if method is not None and found.method != method:
-            raise InputError(f"{arm.name}: no {method} is known for its task '{task}' at this target; '{found.method}' is")
+            raise InputError(
+                f"{arm.name}: no {method} is known for its task '{task}' at this target; '{found.method}' is"
+            )
     return _result(arm, task, aim, found, limits, points)
 
 
@@ -113,13 +118,15 @@ def _target(arm: Arm, task: str, target: Any) -> Array:
     return found
 
 
-def _result(
-    arm: Arm, task: str, target: Array, found: finding.Found, limits: bool, points: int | None
-) -> SelfMotion:
+def _result(arm: Arm, task: str, target: Array, found: finding.Found, limits: bool, points: int | None) -> SelfMotion:
     """The curves as a result, with what limits leave of them."""
     curves = found.components
     broken = any("singular" in end for curve in curves for end in _reasons(curve))
     status = "unreachable" if not curves else "singular" if found.detail or broken else "regular"
+    detail = found.detail or ("a curve runs into a singular configuration" if broken else "")
+    if broken:  # starts at singular configurations lead nowhere: the pieces between them are what is known
+        curves = tuple(curve for curve in curves if curve.closed or curve.length > NOTHING)
+        detail += "" if curves else "; every posture found is singular"
     feasible = None
     if limits and np.isfinite(arm.limits.position).any():
         from chainrule.self_motions.limits import feasible as within
@@ -134,7 +141,7 @@ def _result(
         target=target,
         method=found.method,
         status=status,
-        detail=found.detail or ("a curve runs into a singular configuration" if broken else ""),
+        detail=detail,
         components=curves,
         complete=found.complete,
         feasible=feasible,
@@ -160,7 +167,7 @@ def _eigenvector(held: Held, target: Array, gamma: float, starts: int, seed: int
     q, arrived = project(held.arm, start_points(held.arm, starts, seed), target, held.task, scale=held.scale)
     if not arrived.any():
         return finding.Found((), "eigenvector", f"{starts} starts, none of which reached the target")
-    run = eigenvector(held.arm, q[np.argmax(arrived)], held.task, gamma=real_array(gamma, "gamma"))
+    run = eigenvector(held.arm, q[np.argmax(arrived)], held.task, gamma=gamma)
     path = np.asarray(run.q)
     h = held.arm.manipulability(path, task=held.task)
     done = run.status == "closed"

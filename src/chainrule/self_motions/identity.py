@@ -88,7 +88,7 @@ class Known:
         """(k,): how far configurations are from a curve near its points ``place``, rad."""
         x = q / self.held.unit
         if len(table.s) < 2:
-            return np.linalg.norm(self._wrapped(x - table.x[place]), axis=1)
+            return np.asarray(np.linalg.norm(self._wrapped(x - table.x[place]), axis=1))
         at = table.s[place]
         for _ in range(4):
             c, t = _point(table, at)
@@ -101,11 +101,11 @@ class Known:
             left[near] = self._wrapped(x[near] - exact)
         size = np.linalg.norm(left, axis=1)
         across = left - t * (t * left).sum(axis=1, keepdims=True)
-        return np.linalg.norm(across, axis=1) + np.where(size < 1e-4, 0.0, math.inf)
+        return np.asarray(np.where(size < 1e-4, np.linalg.norm(across, axis=1), math.inf))
 
     def _wrapped(self, x: Array) -> Array:
         turn = 2.0 * math.pi
-        return np.where(self.held.revolute, x - turn * np.rint(x / turn), x)
+        return np.asarray(np.where(self.held.revolute, x - turn * np.rint(x / turn), x))
 
 
 def _point(table: Dense, at: Array) -> tuple[Array, Array]:

@@ -13,7 +13,8 @@ from chainrule.description import Serial, Transform
 
 Array = NDArray[Any]
 
-#: How far axes may pass by a point and still meet in it, relative to the sum of the arm's lengths; least sine between axes.
+#: How far axes may pass by a point and still meet in it, relative to the sum of the arm's lengths; the least sine of
+#: the angle between two axes.
 MEET, PARALLEL = 1e-9, 1e-9
 
 
@@ -70,7 +71,7 @@ class Chain:
         """
         frames = [np.eye(4), self.placements[first + 1], self.placements[first + 1] @ self.placements[first + 2]]
         lines = [(frame[:3, 3], frame[:3, 2]) for frame in frames]
-        (o1, z1), (o2, z2), (o3, z3) = lines
+        (o1, z1), (o2, z2), (_, z3) = lines
         if min(np.linalg.norm(np.cross(z1, z2)), np.linalg.norm(np.cross(z2, z3))) < PARALLEL:
             return None
         # the point of axis 1 nearest to axis 2
@@ -94,7 +95,7 @@ def _matrix(transform: Transform) -> Array:
 def orientations(second: Array, third: Array, wanted: Array) -> tuple[Array, Array]:
     """Angles (..., 2, 3) with Rz(a) second Rz(b) third Rz(c) = wanted (..., 3, 3), and whether they are real (..., 2).
 
-    z . wanted z holds b, in two ways; a and c then follow from the columns and rows of z (subproblems of B. Paden 1986).
+    z . wanted z holds b, in two ways; a and c follow from the columns and rows of z (subproblems of B. Paden 1986).
     """
     u, w = second[2], third[:, 2]
     along, cosine, sine = u[2] * w[2], u[0] * w[0] + u[1] * w[1], u[1] * w[0] - u[0] * w[1]

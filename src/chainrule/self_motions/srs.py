@@ -82,15 +82,15 @@ class Swivel:
             inner = placements[3, :3, :3] @ turn(elbow)
             between = inner @ self.in_four + placements[3, :3, 3] - self.in_three
             third = turned @ _taking(between, axis)  # the rotation of frame 3
-            first, _ = orientations(
-                placements[1, :3, :3], placements[2, :3, :3], placements[0, :3, :3].T @ third
-            )
+            first, _ = orientations(placements[1, :3, :3], placements[2, :3, :3], placements[0, :3, :3].T @ third)
             fifth = third @ inner @ placements[4, :3, :3]
             rest = np.swapaxes(fifth, -1, -2) @ self.target[:3, :3] @ self.chain.tool[:3, :3].T
             last, _ = orientations(placements[5, :3, :3], placements[6, :3, :3], rest)
             k = len(swivel)
             pairs = [
-                np.concatenate([first[:, i], np.full((k, 1), elbow), last[:, j]], axis=1) for i in (0, 1) for j in (0, 1)
+                np.concatenate([first[:, i], np.full((k, 1), elbow), last[:, j]], axis=1)
+                for i in (0, 1)
+                for j in (0, 1)
             ]
             found.append(np.reshape(pairs, (2, 2, k, 7)))
         return np.array(found)

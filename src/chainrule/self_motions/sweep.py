@@ -1,14 +1,15 @@
 """All self-motion curves of a 7R arm whose first or last three axes meet: one joint swept, all postures of the rest.
 
-Seen from its far end if need be, the last three axes meet in a point that joints 2, 3 and 4 place when joint 1 is held: a
-3R arm with at most four postures (:mod:`chainrule.derive.self_motion_sweep`), and two ways of taking the orientation.
+Seen from its far end if need be, the last three axes meet in a point that joints 2, 3 and 4 place when joint 1 is held:
+a 3R arm with at most four postures (:mod:`chainrule.derive.self_motion_sweep`), and two ways of taking the orientation.
 
 *Events* are the angles of joint 1 at which two postures merge: the real zeros of a trigonometric polynomial, the
 discriminant of the quartic (degree 12), or where axes 2 and 3 meet or are parallel the discriminant of a quadratic
-(degree 2) and a resultant (degree 8). Between events postures are constant in number and do not merge, so joint 1 has no
-extremum on the curves there. A closed curve on which joint 1 does not turn all the way round has a least value of it,
-an event, and leaves it into the next interval between events, which it has to cross. So **every curve passes the middle of
-an interval**: the curves through all postures there are all the curves. Superfluous events do no harm.
+(degree 2) and a resultant (degree 8). Between events postures are constant in number and do not merge, so joint 1 has
+no extremum on the curves there. A closed curve on which joint 1 does not turn all the way round has a least value of
+it, an event, and leaves it into the next interval between events, which it has to cross. So **every curve passes the
+middle of an interval**: the curves through all postures there are all the curves. Superfluous events do no harm.
+Events are computed in doubles; that none was missed is checked on 48 more sections, and on the extrema of all curves.
 """
 
 from __future__ import annotations
@@ -71,7 +72,7 @@ class Sweep:
             return None
         placements = chain.placements
         tip = placements[4, :3, :3] @ meeting + placements[4, :3, 3]
-        last = (placements[5] @ placements[6] @ chain.tool)  # at q6 = q7 = 0: axes 6 and 7 pass the point anyway
+        last = placements[5] @ placements[6] @ chain.tool  # at q6 = q7 = 0: axes 6 and 7 pass the point anyway
         in_tip = np.linalg.inv(last) @ np.append(meeting, 1.0)
         base = np.linalg.inv(placements[0]) @ chain.pose(target) @ in_tip
         regional = Regional.of(_three(arm, placements[1:4], tip))
@@ -104,7 +105,7 @@ class Sweep:
         return y, np.stack([y[:, 0] ** 2 + y[:, 1] ** 2, y[:, 2]], axis=-1)
 
     def polynomials(self, x: Array) -> tuple[Array, ...]:
-        """Coefficients in tan(theta3/2) at values (k,) of joint 1: what holds theta3, and the other condition if any."""
+        """Coefficients in tan(theta3/2) at values (k,) of joint 1: of what holds theta3, and of the other condition."""
         values, (_, aim) = self.regional.values, self.points(x)
         if self.special == "general":
             return (self.regional.quartic(aim),)
@@ -137,7 +138,9 @@ class Sweep:
             known = v / sa2 if self.special == "meeting" else u / (2.0 * d2)
             square = f1**2 + f2**2 - known**2
             real = square >= 0.0
-            rows, elbow, theta, known, f1, f2 = (np.repeat(p[real], 2, axis=0) for p in (rows, elbow, theta, known, f1, f2))
+            rows, elbow, theta, known, f1, f2 = (
+                np.repeat(p[real], 2, axis=0) for p in (rows, elbow, theta, known, f1, f2)
+            )
             free = np.repeat(np.sqrt(square[real]), 2) * np.tile([1.0, -1.0], int(real.sum()))
             a, b = (free, known) if self.special == "meeting" else (known, free)
         else:
@@ -162,13 +165,18 @@ class Sweep:
         rows = np.repeat(rows, 2)[real.ravel()]
         exact = self.held.corrected(self.chain.joints(q), self.target, 2)
         error, _, _ = self.held.evaluate(exact, self.target)
-        good = (np.abs(error).max(axis=1, initial=0.0) < 1e-11) & (np.abs(exact - self.chain.joints(q)).max(axis=1, initial=0.0) < 1e-3)
+        good = (np.abs(error).max(axis=1, initial=0.0) < 1e-11) & (
+            np.abs(exact - self.chain.joints(q)).max(axis=1, initial=0.0) < 1e-3
+        )
         return exact[good], rows[good]
 
 
 def _three(arm: Arm, placements: Array, tip: Array) -> Description:
     """The 3R arm of three joints."""
-    fixed = tuple(Transform(tuple(map(tuple, p[:3, :3].tolist())), tuple(p[:3, 3].tolist())) for p in placements)  # type: ignore[arg-type]
+    fixed = tuple(
+        Transform(tuple(map(tuple, p[:3, :3].tolist())), tuple(p[:3, 3].tolist()))  # type: ignore[arg-type]
+        for p in placements
+    )
     tool = Transform.shift(*(float(t) for t in tip))
     return Description(f"{arm.name[:100]}-swept", arm.description.joints[:3], Serial(fixed, tool))
 
@@ -205,7 +213,7 @@ def _resultant(p: Array, g: Array) -> Array:
 
 
 def _zeros(samples: Array, degree: int) -> Array:
-    """Angles in [0, 2 pi) of the zeros near the unit circle of a trigonometric polynomial, from equally spaced samples."""
+    """Angles in [0, 2 pi) of a trigonometric polynomial's zeros near the unit circle, from equally spaced samples."""
     spectrum = np.fft.fft(samples) / len(samples)
     coefficients = np.concatenate([spectrum[-degree:], spectrum[: degree + 1]])[::-1]  # highest power of exp(i x) first
     size = np.abs(coefficients).max()
@@ -218,7 +226,7 @@ def _zeros(samples: Array, degree: int) -> Array:
 
 
 def real_angles(p: Array) -> tuple[Array, Array]:
-    """All theta with p(tan(theta/2)) = 0, half a turn included, for polynomials (k, 3) or (k, 5): rows (m,), theta (m,).
+    """Rows (m,) and theta (m,) with p(tan(theta/2)) = 0, half a turn included, of polynomials (k, 3) or (k, 5).
 
     The polynomial in the half tangent is one in exp(i theta) without any value at infinity.
     """
