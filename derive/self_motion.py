@@ -24,10 +24,10 @@ def target_input(family: ModuleType, task: str) -> Input:
     """The target: x, y(, z); x, alpha; x, y, alpha; or a homogeneous matrix (4, 4)."""
     if family is planar:
         labels = {"position": ("x", "y"), "x_alpha": ("x", "alpha"), "pose": ("x", "y", "alpha")}[task]
-        return Input("target", (len(labels),), tuple(sp.Symbol(f"target_{label}", real=True) for label in labels))
+        return Input("held", (len(labels),), tuple(sp.Symbol(f"target_{label}", real=True) for label in labels))
     if task == "position":
-        return Input("target", (3,), tuple(sp.Symbol(f"target_{label}", real=True) for label in "xyz"))
-    return Input("target", (4, 4), tuple(sp.Symbol(f"target_{i}{j}", real=True) for i in range(4) for j in range(4)))
+        return Input("held", (3,), tuple(sp.Symbol(f"target_{label}", real=True) for label in "xyz"))
+    return Input("held", (4, 4), tuple(sp.Symbol(f"target_{i}{j}", real=True) for i in range(4) for j in range(4)))
 
 
 def _null_vector(steps: Steps, family: ModuleType, arm: Any, task: str) -> list[Expression]:
