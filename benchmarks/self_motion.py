@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 import chainrule as cr
 from benchmarks.measure import Disagreement
 from benchmarks.planar import Way
+from chainrule.self_motions.continuation import trace
+from chainrule.self_motions.eigenvector import eigenvector
 from chainrule.self_motions.maps import self_motion_map
 from chainrule.self_motions.planar_3r import planar_lengths, planar_self_motion
 
@@ -24,6 +26,8 @@ LENGTHS, TARGET = (0.40, 0.35, 0.25), (0.40, 0.0)
 GAMMA, RETURN = 0.001, 5
 #: How much slower the paper's algorithm and the integrator are meant to be than the closed form.
 RATIO_PAPER, RATIO_TANGENT = 3000.0, 30.0
+#: And how much slower the paper's algorithm is meant to be than the generated continuation.
+RATIO_FOLLOWED = 500.0
 #: Targets of a map, and the time it is meant to stay below, s.
 MAPPED, MAP_S = 10_000, 1.0
 
@@ -33,6 +37,8 @@ def questions(batch: int) -> Iterator[tuple[str, list[Way], str]]:
     for accuracy in (1e-6, 1e-10):
         ways, note = planar_curve(accuracy)
         yield f"length of a planar 3R's self-motion curve, at {accuracy:.0e}", ways, note
+    ways, note = generated_continuation()
+    yield "one self-motion curve followed from a start: length, points, box, range of H", ways, note
     ways, note = planar_map(min(batch, MAPPED))
     yield f"number, lengths and boxes of a planar 3R's self-motions; map of {min(batch, MAPPED):,} targets", ways, note
 
@@ -63,6 +69,26 @@ def planar_curve(accuracy: float) -> tuple[list[Way], str]:
         f"Self-motion curve at {accuracy:.0e}: ours is right to {max(mine, 1e-16):.0e}, DOP853 to {theirs:.0e}, the "
         f"paper's algorithm (step {GAMMA:g} rad) to {paper:.0e}."
     )
+    return ways, note
+
+
+def generated_continuation() -> tuple[list[Way], str]:
+    """The generated kernel, which knows nothing of planar arms, on the same curve; and on a Panda's."""
+    arm, panda = cr.planar_3r(*LENGTHS), cr.load("panda")
+    known = planar_self_motion(arm, TARGET).components[0]
+    start, posture = known.q[0], np.array([0.1, -0.5, 0.3, -2.0, 0.2, 1.6, 0.4])
+    loop = trace(panda, posture)
+    errors = trace(arm, start).length / known.length - 1.0, eigenvector(panda, posture).length / loop.length - 1.0
+    for error, allowed in zip(errors, (1e-9, 5e-3), strict=True):
+        if not abs(error) <= allowed:
+            raise Disagreement(f"a followed curve is wrong by {error:.1e}")
+    ways = [
+        Way("chainrule, continuation by the generated kernel", 1, lambda: trace(arm, start)),
+        Way("the paper's algorithm in NumPy, length only", 1, lambda: eigenvectors(start), None, RATIO_FOLLOWED),
+        Way("chainrule, continuation, a Panda pose", 1, lambda: trace(panda, posture)),
+        Way("the paper's algorithm in NumPy, a Panda pose", 1, lambda: eigenvector(panda, posture)),
+    ]
+    note = f"Followed curve: right to {max(abs(errors[0]), 1e-16):.0e}; the paper's algorithm steps by {GAMMA:g} rad."
     return ways, note
 
 
