@@ -95,6 +95,12 @@ PAPERS: dict[str, Paper] = {
             "equations (3) to (9), both examples, figures 1 and 2, and what the paper claims",
             "chainrule.papers.ambike",
         ),
+        Paper(
+            "lenarcic",
+            "J. Lenarčič, Some considerations on the self-motion curves of a planar 3R manipulator, 2002",
+            "the regions and lengths of figures 2 and 4, the method (8) to (18), and what the paper claims",
+            "chainrule.papers.lenarcic",
+        ),
     )
 }
 

@@ -34,6 +34,7 @@ ORDER = (
     "singular",
     "map",
     "reach",
+    "self_motion",
     "timing",
     "speed_ratio",
     "following",
