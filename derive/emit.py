@@ -45,7 +45,7 @@ CONTINUATION = {
     "order": 7,
     "least_turn": 0.02,
     "most_turn": 0.7,
-    "finest": 1e-13,
+    "finest": 1e-11,
     "balls": 6,
 }
 

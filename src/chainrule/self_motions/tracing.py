@@ -50,7 +50,7 @@ HISTORY = 3  # points that the predictor uses
 NEWTON = 12  # most corrections
 LEAST_TURN, MOST_TURN = 0.02, 0.7  # of the tangent between two ends of a length rule
 BALLS = 6.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
-FINEST = 1e-13  # the error of a length rule, relative to its chord, that is asked for
+FINEST = 1e-11  # the error of a length rule, relative to its chord, that is asked for
 
 
 def lobatto(order: int) -> tuple[Array, Array, Array, Array]:
