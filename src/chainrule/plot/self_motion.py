@@ -474,8 +474,20 @@ def animation(arm: Arm, found: SelfMotion, which: int = 0, frames: int = FRAMES)
             axes.draw_artist(bones)
             axes.draw_artist(tip)
             pictures.append(Image.fromarray(np.array(canvas.buffer_rgba())).convert("RGB"))
-    shades = pictures[0].quantize(48)
+    shades = _palette(Image)
     pictures = [picture.quantize(palette=shades, dither=Image.Dither.NONE) for picture in pictures]
     stream = io.BytesIO()
     pictures[0].save(stream, "GIF", save_all=True, append_images=pictures[1:], duration=50, loop=0, optimize=True)
     return stream.getvalue()
+
+
+def _palette(image: Any) -> Any:
+    """The colours of an animation and what lies between each and the ground (edges are smoothed), as a palette."""
+    from matplotlib.colors import to_rgb
+
+    ground = np.array(to_rgb(COLOURS["paper"]))
+    names, steps = ("link", "accent", "ink", "fill"), np.linspace(0.0, 1.0, 16)[:, np.newaxis]
+    mixed = [ground + steps * (np.array(to_rgb(COLOURS[name])) - ground) for name in names]
+    palette = image.new("P", (1, 1))
+    palette.putpalette(np.round(255.0 * np.concatenate(mixed)).astype(int).ravel().tolist())
+    return palette

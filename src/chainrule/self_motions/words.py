@@ -188,7 +188,7 @@ def along_finding(found: SelfMotionAlong) -> str:
     """
     if not found.count.all():
         missed = int((found.count == 0).sum())
-        return f"The path cannot be followed: {missed} of {len(found.count)} targets are out of reach"
+        return f"The path cannot be followed: {missed} of its {len(found.count)} targets out of reach"
     n = len(found.families)
     if n:
         which = "one curve, which goes on" if n == 1 else f"each of {n} curves,"

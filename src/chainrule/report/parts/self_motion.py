@@ -55,8 +55,8 @@ def _figures(arm: Arm, found: SelfMotion) -> list[Block]:
             "The length of the self-motion over the distance of the target, with the borders between regions.",
         )
         caption = (
-            "How long the self-motion is, over the distance px of the target from the base. At a border curves meet, and "
-            "the total has a cusp like a square root."
+            "How long the self-motion is, over the distance px of the target from the base. At a border curves meet, "
+            "and the total has a cusp like a square root."
         )
         blocks.append(Picture(Markup(lengths), caption))
     return blocks
