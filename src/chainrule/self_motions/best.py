@@ -114,7 +114,7 @@ def best_posture(
         >>> arm = cr.planar_3r(1.0, 0.5, 0.25)
         >>> best = cr.best_posture(arm, [1.0, 0.0])
         >>> round(best.value, 9), len(best.maxima)
-        (0.794850672, 2)
+        (0.734400168, 4)
     """
     if isinstance(target, SelfMotion):
         motion, task = target, target.task

@@ -74,7 +74,7 @@ def self_motion(
         >>> panda = cr.load("panda")
         >>> found = cr.self_motion(panda, panda.pose([0.1, -0.5, 0.3, -2.0, 0.2, 1.6, 0.4]), limits=True)
         >>> found.count, found.complete, len(found.arcs)
-        (8, 'proved', 2)
+        (8, 'proved', 4)
         >>> len({round(curve.length, 8) for curve in found.components})  # pairs of equal length
         4
     """
