@@ -10,7 +10,7 @@ from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
 from typing import Any
 
-from benchmarks import planar
+from benchmarks import planar, self_motion
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
 from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
@@ -111,7 +111,7 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
             if effort.parts:
                 progress(f"{case.title}: taking ours apart")
                 parts += _part_rows(case, q, effort)
-        for section, ways, note in planar.questions(effort.batch):
+        for section, ways, note in (*planar.questions(effort.batch), *self_motion.questions(effort.batch)):
             progress(f"{section}: comparing and timing")
             worst = planar.agreement(ways)
             notes += [f"{section}: everyone agrees to {worst:.0e}."] if worst else []

@@ -26,6 +26,9 @@ from chainrule.derive import (
     regional_3r,
     regional_postures,
     rest_to_rest,
+    self_motion,
+    self_motion_planar_3r,
+    self_motion_sweep,
     speed_ratio,
     speed_ratio_4,
 )
@@ -147,6 +150,60 @@ def postures_in_pairs(subject: Subject, parallel: bool) -> Program | None:
     return None if subject.regional.right_angle else regional_postures.postures_in_pairs(subject.regional, parallel)
 
 
+def closed_self_motion(subject: Subject, make: Callable[[Any, str], Program], task: str) -> Program | None:
+    """A function of the self-motion of the planar 3R arm, known in closed form."""
+    return make(subject.arm, task) if subject.model.name == "planar_rrr" else None
+
+
+def continuation(subject: Subject, make: Callable[[ModuleType, Any, str], Program], task: str) -> Program | None:
+    """What following a self-motion takes, for tasks that leave one joint free."""
+    model = subject.model
+    return make(subject.family, subject.arm, task) if f"continuation_{task}" in continuations(model) else None
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A curve on which a task is held, as the template that follows it sees it.
+
+    Attributes:
+        task: the task.
+        kinds: the joints' kinds.
+        parameters: whether the functions take the family's numbers.
+        positions: how many of the task's first rows are lengths.
+        whole: 1 where these rows are the whole velocity of the tip, else 0.
+        spatial: 1 where three rows of a spatial orientation follow, else 0.
+    """
+
+    task: str
+    kinds: str
+    parameters: bool
+    positions: int
+    whole: int
+    spatial: int
+
+
+def curve(model: Model, group: str) -> Curve | None:
+    """The curve that the functions of a group ``continuation_<task>`` follow."""
+    if group not in continuations(model):
+        return None
+    task = group.removeprefix("continuation_")
+    flat = model.family == "planar"
+    positions = {"x_alpha": 1}.get(task, 2) if flat else 3
+    spatial = int(not flat and task == "pose")
+    return Curve(task, model.kinds, bool(model.parameter_names), positions, int(task != "x_alpha"), spatial)
+
+
+def sweep(subject: Subject, make: Callable[[regional_3r.Arm], Program]) -> Program | None:
+    """What sweeping a joint of a redundant arm takes: of the general 3R arm only."""
+    return make(subject.regional) if subject.family is regional_3r else None
+
+
+def continuations(model: Model) -> tuple[str, ...]:
+    """Groups with what following a self-motion takes: one for each task with one row less than there are joints."""
+    tasks = FAMILIES[model.family][1]
+    return tuple(f"continuation_{task}" for task, rows in tasks.items() if len(model.kinds) - rows == 1)
+
+
 CATALOGUE: tuple[Entry, ...] = (
     Entry("kinematics", lambda s: s.family.placement(s.arm, "position")),
     Entry("kinematics", lambda s: s.family.placement(s.arm, "pose")),
@@ -163,6 +220,12 @@ CATALOGUE: tuple[Entry, ...] = (
     *(Entry("speed_ratio", partial(speed_ratio_terms, leading=k)) for k in (1, 2, 3)),
     Entry("speed_ratio", lambda s: speed_ratio.rates(s.arm) if s.arm.n == 3 else None),
     Entry("speed_ratio", lambda s: speed_ratio_4.conditions(s.arm) if s.arm.n == 4 else None),
+    *(Entry("self_motion", partial(closed_self_motion, make=make, task=t)) for t, make in self_motion_planar_3r.EVERY),
+    *(
+        Entry(f"continuation_{task}", partial(continuation, make=make, task=task))
+        for task in ("position", "x_alpha", "pose")
+        for make in (self_motion.held, self_motion.bending)
+    ),
     Entry("cuspidality", lambda s: regional_3r.quartic(s.regional)),
     Entry("cuspidality", lambda s: regional_3r.cusp_polynomial(s.regional)),
     Entry("cuspidality", lambda s: s.right_angle(regional_3r.cusp_polynomial)),
@@ -180,6 +243,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: orthogonal_designs.classify() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.sides_of_surfaces() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.exact_sides() if s.closed is orthogonal_3r else None),
+    *(Entry("cuspidality", partial(sweep, make=make)) for make in self_motion_sweep.EVERY),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -197,24 +261,33 @@ def groups(model: Model) -> tuple[str, ...]:
 def extras(model: Model) -> tuple[str, ...]:
     """Groups that only some models have.
 
-    Planar arms have ``motion`` (the tip's path along a joint motion) and, with 3 or 4 joints, ``speed_ratio``; what
-    belongs to no arm is the profile of a motion, ``rest_to_rest``. The normal form of 3R arms, and the orthogonal ones,
-    have ``cuspidality``: postures, cusps and aspects.
+    Planar arms have ``motion`` (the tip's path along a joint motion), with 3 or 4 joints ``speed_ratio``, and the RRR
+    arms ``self_motion`` (in closed form); arms with one joint more than a task has rows have ``continuation_<task>``;
+    what belongs to no arm is the profile of a motion, ``rest_to_rest``. The normal form of 3R arms, and the orthogonal
+    ones, have ``cuspidality``: postures, cusps and aspects.
     """
     if model.family == "planar":
-        return ("motion", "speed_ratio") if len(model.kinds) in (3, 4) else ("motion",)
+        closed = ("self_motion",) if model.name == "planar_rrr" else ()
+        more = ("motion", "speed_ratio", *closed) if len(model.kinds) in (3, 4) else ("motion",)
+        return (*more, *continuations(model))
     others = {"motion": "rest_to_rest", "orthogonal_3r": "cuspidality", "regional_3r": "cuspidality"}
-    return (others[model.family],) if model.family in others else ()
+    return (others[model.family],) if model.family in others else continuations(model)
 
 
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     """The modules that a group's formulas are written in."""
     family, tasks = FAMILIES[model.family]
+    if group in continuations(model):
+        return (family, self_motion)
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
-        if group == "cuspidality":
-            return (nodes_3r, orthogonal_designs, regional_postures)
-        return ({"motion": planar_motion, "speed_ratio": ratios}.get(group, family),)
+        known: dict[str, tuple[ModuleType, ...]] = {
+            "motion": (planar_motion,),
+            "speed_ratio": (ratios,),
+            "self_motion": (self_motion_planar_3r,),
+            "cuspidality": (nodes_3r, orthogonal_designs, regional_postures, self_motion_sweep),
+        }
+        return known.get(group, (family,))
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     general = [manipulability] if group in tasks else []
     return (family, *closed, *general)

@@ -5,14 +5,16 @@ Everything a template prints is computed here; the same inputs give the same byt
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import jinja2
 
-from chainrule.derive import sincos
+from chainrule.derive import lobatto, sincos
+from chainrule.derive.catalogue import Curve
 from chainrule.derive.listing import NUMPY, C, Listing, lay_out, leaf_source, runs
 from chainrule.derive.lower import Kernel, Port
 
@@ -23,7 +25,29 @@ TILES = (64, 32, 16, 8)
 CACHE_BYTES = 40 * 1024
 
 #: Headers every kernel includes, and the template each is made from.
-SHARED = {"chainrule_real.h": "real.h.j2", "chainrule_sincos.h": "sincos.h.j2", "chainrule_batch.h": "batch.h.j2"}
+SHARED = {
+    "chainrule_real.h": "real.h.j2",
+    "chainrule_sincos.h": "sincos.h.j2",
+    "chainrule_batch.h": "batch.h.j2",
+    "chainrule_continuation.h": "continuation.h.j2",
+}
+
+#: Settings of chainrule_continuation.h; chainrule/self_motions/tracing.py has the same ones.
+CONTINUATION = {
+    "contraction": 0.9,
+    "slab": 0.89,
+    "advance": 0.85,
+    "longest_step": 0.5,
+    "step_turn": 0.5,
+    "nodes": 48,
+    "history": 3,
+    "newton": 12,
+    "order": 7,
+    "least_turn": 0.02,
+    "most_turn": 0.7,
+    "finest": 1e-11,
+    "balls": 6,
+}
 
 
 @cache
@@ -45,14 +69,21 @@ def render(template: str, context: Mapping[str, Any]) -> str:
 
 def shared_headers() -> dict[str, str]:
     """The headers that do not depend on the arm."""
-    return {
-        name: render(template, {"sincos": sincos.context() if "sincos" in name else {}})
-        for name, template in SHARED.items()
+    contexts: dict[str, Callable[[], dict[str, Any]]] = {
+        "chainrule_sincos.h": lambda: {"sincos": sincos.context()},
+        "chainrule_continuation.h": lambda: {**CONTINUATION, **lobatto.context(int(CONTINUATION["order"]))},
     }
+    return {name: render(template, contexts[name]() if name in contexts else {}) for name, template in SHARED.items()}
 
 
 def unit(
-    name: str, prefix: str, title: str, kernels: Sequence[Kernel], digest: str, shared: str = "../"
+    name: str,
+    prefix: str,
+    title: str,
+    kernels: Sequence[Kernel],
+    digest: str,
+    shared: str = "../",
+    curves: Sequence[Curve] = (),
 ) -> dict[str, str]:
     """The files of one unit, by name: header, C, its included terms, NumPy.
 
@@ -63,6 +94,7 @@ def unit(
         kernels: its functions.
         digest: digest of everything the unit depends on.
         shared: where the shared headers are, relative to the unit.
+        curves: the curves that its code can follow.
     """
     views = [_c_view(prefix, kernel) for kernel in kernels]
     width = max(v["rows"] for v in views)
@@ -75,6 +107,7 @@ def unit(
         "tile": tile,
         "shared": shared,
         "guard": f"CHAINRULE_{name.upper()}_H",
+        "curves": [{"symbol": f"{prefix}_continuation_{c.task}", "joints": len(c.kinds), **asdict(c)} for c in curves],
     }
     files = {
         f"{name}.{suffix}": render(f"kernel.{suffix}.j2", {"functions": views, **common})

@@ -30,7 +30,14 @@ PIPELINE = (
     "chainrule.derive.write",
 )
 UNIT_TEMPLATES = ("templates/kernel.c.j2", "templates/kernel.h.j2", "templates/kernel.inc.j2", "templates/kernel.py.j2")
-SHARED_INPUTS = ("derive/sincos.py", "templates/batch.h.j2", "templates/real.h.j2", "templates/sincos.h.j2")
+SHARED_INPUTS = (
+    "derive/lobatto.py",
+    "derive/sincos.py",
+    "templates/batch.h.j2",
+    "templates/continuation.h.j2",
+    "templates/real.h.j2",
+    "templates/sincos.h.j2",
+)
 REQUIREMENTS = "derive/requirements.txt"
 
 

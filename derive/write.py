@@ -65,7 +65,8 @@ def make_unit(
     tasks = catalogue.FAMILIES[model.family][1]
     words = [f"manipulability ({group})" if group in tasks else group.replace("_", " ") for group in groups]
     title = f"{' and '.join(words)} of {prefix or model.name}"
-    files = emit.unit(name, prefix or model.name, title, kernels, digest, shared)
+    curves = [curve for group in groups if (curve := catalogue.curve(model, group)) is not None]
+    files = emit.unit(name, prefix or model.name, title, kernels, digest, shared, curves)
     functions = {
         kernel.name: {
             "summary": kernel.summary,

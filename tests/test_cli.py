@@ -36,7 +36,7 @@ def refused(result):
 def test_help_is_quick_and_has_an_example_for_every_command(call):
     code, out, _ = call("--help")
     assert code == 0
-    for command in ("arms", "show", "eval", "generate", "report", "reproduce"):
+    for command in ("arms", "show", "eval", "generate", "report", "reproduce", "self-motion"):
         assert command in out
         code, text, _ = call(command, "--help")
         assert code == 0

@@ -127,7 +127,8 @@ def edit(path: Path, old: str, new: str) -> None:
 
 
 def test_made_from_nothing(made):
-    shared = {"chainrule_real.h", "chainrule_sincos.h", "chainrule_batch.h", "__init__.py", "manifest.json"}
+    headers = {f"chainrule_{name}.h" for name in ("real", "sincos", "batch", "continuation")}
+    shared = {*headers, "__init__.py", "manifest.json"}
     assert contents(made).keys() == files_of(*all_of(*UNITS)) | shared
 
 

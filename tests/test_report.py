@@ -95,7 +95,10 @@ def test_sections_come_in_order_and_all_checks_pass(made):
     arm, result = made
     keys = list(result.parts)
     assert keys == [key for key in ORDER if key in keys]
-    some = {"planar_3r": {"timing", "speed_ratio", "following"}, "panda": {"timing"}}  # sections not every arm has
+    some = {  # sections not every arm has
+        "planar_3r": {"self_motion", "timing", "speed_ratio", "following"},
+        "panda": {"self_motion", "timing"},
+    }
     assert some.get(arm.name, set()) | {
         "summary",
         "drawing",
@@ -166,6 +169,9 @@ def test_an_arm_whose_manipulability_never_changes():
     expected = math.sqrt(math.sin(0.7) ** 2 + math.sin(2.6) ** 2 + math.sin(1.9) ** 2)
     assert result.parts["map"].data["maximum"]["H"] == pytest.approx(expected, rel=1e-14)
     assert result.parts["singular"].data["proved"] is True
+    motion = result.parts["self_motion"].data
+    assert [curve["closed"] for curve in motion["components"]] == [False]  # the slides go on without end
+    assert motion["complete"] != "proved"
 
 
 # ---- what the report states ----------------------------------------------------------------------------------------
@@ -238,6 +244,29 @@ def test_units_by_scaling():
     q = [0.1, 1.2, -0.4]
     for task, power in (("position", 2), ("x_alpha", 1), ("pose", 2)):
         assert ten.manipulability(q, task=task) == pytest.approx(10.0**power * one.manipulability(q, task=task))
+
+
+def test_the_self_motion_is_that_of_the_posture_drawn(made):
+    arm, result = made
+    if "self_motion" not in result.parts:
+        assert all(arm.n - rows != 1 for rows in arm.tasks.values())
+        return
+    data = result.parts["self_motion"].data
+    q = max_manipulability(arm, data["task"]).q
+    tip = arm.pose(q) if data["task"] == "pose" else arm.position(q)
+    np.testing.assert_allclose(data["target"], tip, atol=1e-12)
+    assert data["complete"] == "proved"
+    assert data["count"] == len(data["components"]) > 0
+    turned = [c for c in data["components"] if _on(c, q)]
+    assert turned, "the posture drawn is on none of the curves"
+    assert "Self-motion" in result.html
+
+
+def _on(component, q):
+    """Whether a posture is within the box of a curve, up to whole turns."""
+    low, high = np.array(component["box"]).T
+    shift = np.ceil((low - 1e-9 - q) / (2 * np.pi)) * 2 * np.pi
+    return bool((q + shift <= high + 1e-9).all())
 
 
 # ---- formulas ------------------------------------------------------------------------------------------------------

@@ -29,6 +29,11 @@ if TYPE_CHECKING:
     from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
     from chainrule.readers.paths import read_path
     from chainrule.scaling import time_scaling
+    from chainrule.self_motions.along import SelfMotionAlong, self_motion_along
+    from chainrule.self_motions.best import BestPosture, best_posture
+    from chainrule.self_motions.face import self_motion
+    from chainrule.self_motions.maps import SelfMotionMap, self_motion_map
+    from chainrule.self_motions.result import Component, SelfMotion
     from chainrule.speed_ratio import SpeedRatios, speed_ratios
     from chainrule.timing import JointMove, min_time
     from chainrule.workspaces import Workspace, workspace
@@ -36,7 +41,9 @@ if TYPE_CHECKING:
 __all__ = [
     "Arc",
     "Arm",
+    "BestPosture",
     "Circle",
+    "Component",
     "Curve",
     "DescriptionError",
     "Ellipse",
@@ -55,9 +62,13 @@ __all__ = [
     "PostureChange",
     "Postures",
     "Regional3R",
+    "SelfMotion",
+    "SelfMotionAlong",
+    "SelfMotionMap",
     "SpeedRatios",
     "Spline",
     "Workspace",
+    "best_posture",
     "classify_orthogonal_3r",
     "fastest",
     "follow",
@@ -73,6 +84,9 @@ __all__ = [
     "postures",
     "read_path",
     "regional_3r",
+    "self_motion",
+    "self_motion_along",
+    "self_motion_map",
     "speed_ratios",
     "speed_ratios_4",
     "speed_ratios_4_each",
@@ -103,6 +117,11 @@ _HOMES = {
     "motion_ratios": "chainrule.higher_order",
     **dict.fromkeys(("SpeedRatios", "speed_ratios"), "chainrule.speed_ratio"),
     "time_scaling": "chainrule.scaling",
+    **dict.fromkeys(("Component", "SelfMotion"), "chainrule.self_motions.result"),
+    **dict.fromkeys(("SelfMotionAlong", "self_motion_along"), "chainrule.self_motions.along"),
+    **dict.fromkeys(("SelfMotionMap", "self_motion_map"), "chainrule.self_motions.maps"),
+    **dict.fromkeys(("BestPosture", "best_posture"), "chainrule.self_motions.best"),
+    "self_motion": "chainrule.self_motions.face",
     "read_path": "chainrule.readers.paths",
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),
 }

@@ -198,7 +198,10 @@ class Arm:
         """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and more for planar arms."""
         planar = isinstance(self._description.geometry, Planar)
         more = (("motion", "speed_ratio") if self.n in (3, 4) else ("motion",)) if planar else ()
-        return ("kinematics", *self.full_rank_tasks, *more)
+        if planar and self.kinds == "RRR":
+            more = (*more, "self_motion")
+        followed = (f"continuation_{task}" for task, rows in self.tasks.items() if self.n - rows == 1)
+        return ("kinematics", *self.full_rank_tasks, *more, *followed)
 
     @property
     def full_rank_tasks(self) -> tuple[str, ...]:

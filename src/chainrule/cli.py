@@ -24,6 +24,7 @@ from chainrule.commands import (  # noqa: F401  each adds its commands to the ap
     min_time,
     report,
     reproduce,
+    self_motion,
     speed_ratios,
     workspace,
 )

@@ -102,6 +102,12 @@ PAPERS: dict[str, Paper] = {
             "equations (1) to (7), figures 2 and 7, the five domains, and what the paper claims",
             "chainrule.papers.baili",
         ),
+        Paper(
+            "lenarcic",
+            "J. Lenarčič, Some considerations on the self-motion curves of a planar 3R manipulator, 2002",
+            "the regions and lengths of figures 2 and 4, the method (8) to (18), and what the paper claims",
+            "chainrule.papers.lenarcic",
+        ),
     )
 }
 

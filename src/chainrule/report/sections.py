@@ -35,6 +35,7 @@ ORDER = (
     "map",
     "reach",
     "cuspidality",
+    "self_motion",
     "timing",
     "speed_ratio",
     "following",

@@ -1,0 +1,161 @@
+"""All self-motion curves of any arm with one joint more than its task has rows."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chainrule.arm import Arm
+from chainrule.self_motions.continuation import Held, project, start_points, trace_many
+from chainrule.self_motions.identity import Known
+from chainrule.self_motions.result import Component
+from chainrule.self_motions.srs import Swivel
+from chainrule.self_motions.sweep import DISTINCT, Sweep
+
+Array = NDArray[Any]
+
+TURN = 2.0 * math.pi
+#: Values of the swept joint, besides the middles between events, at which all postures must lie on the curves found.
+CHECKED = 48
+#: Starts projected at a time by the search.
+BATCH = 64
+
+
+@dataclass(frozen=True)
+class Found:
+    """The curves at a target.
+
+    Attributes:
+        components: the curves.
+        method: "closed form", "sweep" or "continuation".
+        complete: "proved", or what was done.
+        detail: what is singular, in words.
+    """
+
+    components: tuple[Component, ...]
+    method: str
+    complete: str
+    detail: str = ""
+
+
+def all_components(arm: Arm, target: Array, task: str, *, starts: int = 64, seed: int = 0, scale: float = 1.0) -> Found:
+    """All curves at a target: closed form or sweep where the arm's axes allow it, else a search from many starts."""
+    held, detail, doubts = Held(arm, task, scale), "", ""
+    known = Known(held, target)
+    if task == "pose" and arm.kinds == "RRRRRRR":
+        swivel = Swivel.of(arm, target)
+        if swivel is not None:
+            detail = swivel.singular
+            if not detail:
+                return _swivelled(held, swivel)
+        sweep = Sweep.of(held, target)
+        if sweep is not None and sweep.special != "unfit":
+            doubts = _swept(known, sweep)
+            if not doubts and not detail:
+                return Found(tuple(known.components), "sweep", "proved")
+            doubts = f"; joint {sweep.swept + 1} was swept before, without a proof: {doubts or detail}"
+    found = searched(held, target, starts, seed, known)
+    return Found(found.components, "sweep" if doubts else found.method, found.complete + doubts, detail)
+
+
+def _traced(held: Held, target: Array, starts: Array) -> tuple[Component, ...]:
+    return trace_many(held.arm, starts, held.task, targets=target, scale=held.scale) if len(starts) else ()
+
+
+# ---- S-R-S -------------------------------------------------------------------------------------------------------
+
+
+def _swivelled(held: Held, swivel: Swivel) -> Found:
+    """Eight curves, or none."""
+    if not swivel.elbows:
+        return Found((), "closed form", "proved")
+    starts = held.corrected(swivel.postures(np.zeros(1)).reshape(-1, 7), swivel.target)
+    curves = _traced(held, swivel.target, starts)
+    closed = all(curve.closed for curve in curves)
+    return Found(curves, "closed form", "proved" if closed else f"{len(starts)} curves, not all of which closed")
+
+
+# ---- a joint swept -----------------------------------------------------------------------------------------------
+
+
+def _swept(known: Known, sweep: Sweep) -> str:
+    """The curves through all postures at the middles between events; why that is no proof, or nothing if it is one."""
+    events = sweep.events()
+    gaps = np.diff(events, append=events[:1] + TURN)
+    middles = events + 0.5 * gaps if len(events) else np.array([0.5])
+    middles = middles[gaps >= DISTINCT] if len(events) else middles
+    grid = (np.arange(CHECKED) + 0.37) * (TURN / CHECKED)
+    q, rows = sweep.postures(np.concatenate([middles, grid]))
+    needed = rows < len(middles)
+    _followed(known, q[needed])
+    doubts = [] if sweep.right else ["the spherical joint's axes are not at right angles: it has events of its own"]
+    if len(events) and gaps.min() < DISTINCT:
+        doubts.append(f"two events are {gaps.min():.1g} rad apart")
+    if not all(curve.closed for curve in known.components):
+        doubts.append("not every curve closed")
+    apart = np.minimum(
+        np.abs(np.mod(grid[:, np.newaxis] - events + math.pi, TURN) - math.pi).min(axis=1, initial=9.0), 9.0
+    )
+    clear = np.concatenate([np.ones(len(middles), bool), apart > 1e-6])[rows]
+    astray = clear & ~needed & (known.which(q) < 0)
+    if astray.any():  # an event was missed: follow what was found, and say so
+        before = len(known.components)
+        _followed(known, q[astray])
+        if len(known.components) > before:
+            doubts.append("a posture between events lay on no curve")
+    if _folds(known, sweep, events) > 0:
+        doubts.append("a curve turns back where there is no event")
+    return "; ".join(doubts)
+
+
+def _followed(known: Known, q: Array) -> None:
+    """Follow the curves through configurations that are on none yet."""
+    open_ = q
+    while len(open_):
+        open_ = open_[known.which(open_) < 0]
+        if not len(open_):
+            break
+        [curve] = _traced(known.held, known.target, open_[:1])
+        known.add(curve)
+        open_ = open_[1:]
+
+
+def _folds(known: Known, sweep: Sweep, events: Array) -> int:
+    """How many extrema of the swept joint on the curves found are at no event."""
+    missing = 0
+    for curve in known.components:
+        low, high = curve.box[sweep.swept]
+        if not curve.closed or curve.winding[sweep.swept]:
+            continue
+        for value in (low, high):
+            x = -value if sweep.chain.backwards else value
+            apart = np.abs(np.mod(events - x + math.pi, TURN) - math.pi).min(initial=math.inf)
+            missing += bool(apart > 1e-5)
+    return missing
+
+
+# ---- many starts -------------------------------------------------------------------------------------------------
+
+
+def searched(held: Held, target: Array, starts: int, seed: int = 0, known: Known | None = None) -> Found:
+    """The curves that ``starts`` random configurations, moved to the target, lie on, besides those already known."""
+    known = Known(held, target) if known is None else known
+    last = 0
+    every = start_points(held.arm, starts, seed)
+    for begin in range(0, starts, BATCH):
+        q, arrived = project(held.arm, every[begin : begin + BATCH], target, held.task, scale=held.scale)
+        places = np.flatnonzero(arrived)
+        places = places[known.which(q[places]) < 0]
+        while len(places):
+            [curve] = _traced(held, target, q[places[:1]])
+            known.add(curve)
+            last = begin + int(places[0]) + 1
+            places = places[1:]
+            places = places[known.which(q[places]) < 0]
+    if not known.components:
+        return Found((), "continuation", f"{starts} starts, none of which reached the target")
+    return Found(tuple(known.components), "continuation", f"{starts} starts, last new component at start {last}")

@@ -1,0 +1,246 @@
+"""All self-motion curves of a 7R arm whose first or last three axes meet: one joint swept, all postures of the rest.
+
+Seen from its far end if need be, the last three axes meet in a point that joints 2, 3 and 4 place when joint 1 is held:
+a 3R arm with at most four postures (:mod:`chainrule.derive.self_motion_sweep`), and two ways of taking the orientation.
+
+*Events* are the angles of joint 1 at which two postures merge: the real zeros of a trigonometric polynomial, the
+discriminant of the quartic (degree 12), or where axes 2 and 3 meet or are parallel the discriminant of a quadratic
+(degree 2) and a resultant (degree 8). Between events postures are constant in number and do not merge, so joint 1 has
+no extremum on the curves there. A closed curve on which joint 1 does not turn all the way round has a least value of
+it, an event, and leaves it into the next interval between events, which it has to cross. So **every curve passes the
+middle of an interval**: the curves through all postures there are all the curves. Superfluous events do no harm.
+Events are computed in doubles; that none was missed is checked on 48 more sections, and on the extrema of all curves.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chainrule.arm import Arm
+from chainrule.cuspidality.normal_form import Regional, evaluator
+from chainrule.description import Description, Serial, Transform
+from chainrule.self_motions.continuation import Held
+from chainrule.self_motions.spherical import Chain, orientations, turn
+
+Array = NDArray[Any]
+
+#: Values of the swept joint at which event polynomials are sampled: more than twice any degree.
+SAMPLED = 64
+#: Zeros this near the unit circle count as real, of event polynomials (too many do no harm) and of postures.
+EVENT, REAL = 1e-4, 1e-5
+#: Events nearer to one another than this, rad, leave the count unproved.
+DISTINCT = 1e-9
+#: A length below this share of the arm's size is none.
+NONE = 1e-11
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """A 7R arm at a pose, its swept joint first and its spherical joint last.
+
+    Attributes:
+        held: the arm and its task.
+        chain: the arm, seen from where the swept joint is first.
+        regional: the 3R arm of joints 2, 3 and 4, its tip the point in which axes 5, 6 and 7 meet.
+        target: the pose of the arm's tip.
+        point: (3,) that point before joint 1's turn, m.
+    """
+
+    held: Held
+    chain: Chain
+    regional: Regional
+    target: Array
+    point: Array
+
+    @classmethod
+    def of(cls, held: Held, target: Array) -> Sweep | None:
+        """The sweep of an arm at a pose; None where neither the first nor the last three axes meet."""
+        arm = held.arm
+        if arm.kinds != "RRRRRRR" or held.task != "pose":
+            return None
+        for chain in (Chain.of(arm), Chain.of(arm).reversed()):
+            meeting = chain.meeting(4)
+            if meeting is not None:
+                break
+        else:
+            return None
+        placements = chain.placements
+        tip = placements[4, :3, :3] @ meeting + placements[4, :3, 3]
+        last = placements[5] @ placements[6] @ chain.tool  # at q6 = q7 = 0: axes 6 and 7 pass the point anyway
+        in_tip = np.linalg.inv(last) @ np.append(meeting, 1.0)
+        base = np.linalg.inv(placements[0]) @ chain.pose(target) @ in_tip
+        regional = Regional.of(_three(arm, placements[1:4], tip))
+        parameters = [0.0 if abs(x) < NONE * chain.size and k >= 4 else x for k, x in enumerate(regional.parameters)]
+        return cls(held, chain, replace(regional, parameters=tuple(parameters)), target, base[:3])
+
+    @property
+    def swept(self) -> int:
+        """Index of the swept joint in the arm."""
+        return 6 if self.chain.backwards else 0
+
+    @property
+    def special(self) -> str:
+        """Which of the three cases the 3R arm is: "meeting", "parallel", "general", or "unfit" for this method."""
+        _, sa2, _, _, d2, _, d4, _, _ = self.regional.parameters
+        if (sa2 == 0.0 and d2 == 0.0) or d4 == 0.0:
+            return "unfit"
+        return "parallel" if sa2 == 0.0 else "meeting" if d2 == 0.0 else "general"
+
+    @cached_property
+    def right(self) -> bool:
+        """Whether the spherical joint takes every orientation, so that only the 3R arm has events."""
+        return self.chain.right(4)
+
+    # ---- events ------------------------------------------------------------------------------------------------
+
+    def points(self, x: Array) -> tuple[Array, Array]:
+        """The point (k, 3) in the 3R arm's normal form at values (k,) of joint 1, and its target (k, 2)."""
+        y = self.regional.point_to_normal(np.swapaxes(turn(x), -1, -2) @ self.point)
+        return y, np.stack([y[:, 0] ** 2 + y[:, 1] ** 2, y[:, 2]], axis=-1)
+
+    def polynomials(self, x: Array) -> tuple[Array, ...]:
+        """Coefficients in tan(theta3/2) at values (k,) of joint 1: of what holds theta3, and of the other condition."""
+        values, (_, aim) = self.regional.values, self.points(x)
+        if self.special == "general":
+            return (self.regional.quartic(aim),)
+        u, v, w = evaluator("sweep_conditions")(values, aim)
+        sa2, d2 = values[1], values[4]
+        if self.special == "meeting":
+            return u, sa2**2 * w - _squared(v)
+        return v, 4.0 * d2**2 * w - _squared(u)
+
+    def events(self) -> Array:
+        """Every value of joint 1 in [0, 2 pi), rising, at which two postures merge; perhaps more."""
+        x = np.arange(SAMPLED) * (2.0 * math.pi / SAMPLED)
+        first, *other = self.polynomials(x)
+        found = [_zeros(_discriminant(first), 2 if other else 12)]
+        if other:
+            found.append(_zeros(_resultant(first, other[0]), 8))
+        return np.sort(np.concatenate(found))
+
+    # ---- postures ----------------------------------------------------------------------------------------------
+
+    def postures(self, x: Array) -> tuple[Array, Array]:
+        """All configurations (m, 7) of the arm at values (k,) of the swept joint, and which value each belongs to."""
+        first, *other = self.polynomials(x)
+        rows, theta = real_angles(first)
+        (y, aim), values = self.points(x), self.regional.values
+        sa2, d2 = values[1], values[4]
+        elbow = np.stack([np.cos(theta), np.sin(theta)], axis=-1)
+        (u, v), (f1, f2) = (np.moveaxis(part, -1, 0) for part in evaluator("sweep_elbow")(values, elbow, aim[rows]))
+        if other:
+            known = v / sa2 if self.special == "meeting" else u / (2.0 * d2)
+            square = f1**2 + f2**2 - known**2
+            real = square >= 0.0
+            rows, elbow, theta, known, f1, f2 = (
+                np.repeat(p[real], 2, axis=0) for p in (rows, elbow, theta, known, f1, f2)
+            )
+            free = np.repeat(np.sqrt(square[real]), 2) * np.tile([1.0, -1.0], int(real.sum()))
+            a, b = (free, known) if self.special == "meeting" else (known, free)
+        else:
+            a, b = u / (2.0 * d2), v / sa2
+        at = evaluator("sweep_base")(values, elbow, np.stack([a, b], axis=-1))
+        angles = np.stack(
+            [
+                np.arctan2(y[rows, 1], y[rows, 0]) - np.arctan2(at[:, 1], at[:, 0]),
+                np.arctan2(b, a) - np.arctan2(f2, f1),
+                theta,
+            ],
+            axis=-1,
+        )
+        inner = np.concatenate([x[rows, np.newaxis], self.regional.from_normal(angles)], axis=1)
+        placed = np.broadcast_to(np.eye(3), (len(inner), 3, 3))
+        for i in range(4):
+            placed = placed @ self.chain.placements[i, :3, :3] @ turn(inner[:, i])
+        rotation = self.chain.pose(self.target)[:3, :3] @ self.chain.tool[:3, :3].T
+        wanted = np.swapaxes(placed @ self.chain.placements[4, :3, :3], -1, -2) @ rotation
+        outer, real = orientations(self.chain.placements[5, :3, :3], self.chain.placements[6, :3, :3], wanted)
+        q = np.concatenate([np.repeat(inner, 2, axis=0), outer.reshape(-1, 3)], axis=1)[real.ravel()]
+        rows = np.repeat(rows, 2)[real.ravel()]
+        exact = self.held.corrected(self.chain.joints(q), self.target, 2)
+        error, _, _ = self.held.evaluate(exact, self.target)
+        good = (np.abs(error).max(axis=1, initial=0.0) < 1e-11) & (
+            np.abs(exact - self.chain.joints(q)).max(axis=1, initial=0.0) < 1e-3
+        )
+        return exact[good], rows[good]
+
+
+def _three(arm: Arm, placements: Array, tip: Array) -> Description:
+    """The 3R arm of three joints."""
+    fixed = tuple(
+        Transform(tuple(map(tuple, p[:3, :3].tolist())), tuple(p[:3, 3].tolist()))  # type: ignore[arg-type]
+        for p in placements
+    )
+    tool = Transform.shift(*(float(t) for t in tip))
+    return Description(f"{arm.name[:100]}-swept", arm.description.joints[:3], Serial(fixed, tool))
+
+
+# ---- polynomials -------------------------------------------------------------------------------------------------
+
+
+def _squared(p: Array) -> Array:
+    """The squares (k, 5) of quadratics (k, 3)."""
+    a, b, c = p.T
+    return np.stack([a * a, 2 * a * b, b * b + 2 * a * c, 2 * b * c, c * c], axis=-1)
+
+
+def _discriminant(p: Array) -> Array:
+    """(k,): of quadratics (k, 3) or quartics (k, 5), up to a constant factor; 4 I^3 - J^2 for the latter."""
+    if p.shape[1] == 3:
+        return np.asarray(p[:, 1] ** 2 - 4.0 * p[:, 0] * p[:, 2])
+    p = p / np.abs(p).max()
+    e, d, c, b, a = p.T
+    i = 12 * a * e - 3 * b * d + c**2
+    j = 72 * a * c * e + 9 * b * c * d - 27 * a * d**2 - 27 * e * b**2 - 2 * c**3
+    return np.asarray(4.0 * i**3 - j**2)
+
+
+def _resultant(p: Array, g: Array) -> Array:
+    """(k,): of quadratics (k, 3) and quartics (k, 5), by Sylvester's matrix."""
+    p, g = p / max(np.abs(p).max(), 1e-300), g / max(np.abs(g).max(), 1e-300)
+    matrix = np.zeros((len(p), 6, 6))
+    for i in range(4):
+        matrix[:, i, i : i + 3] = p
+    for i in range(2):
+        matrix[:, 4 + i, i : i + 5] = g
+    return np.asarray(np.linalg.det(matrix))
+
+
+def _zeros(samples: Array, degree: int) -> Array:
+    """Angles in [0, 2 pi) of a trigonometric polynomial's zeros near the unit circle, from equally spaced samples."""
+    spectrum = np.fft.fft(samples) / len(samples)
+    coefficients = np.concatenate([spectrum[-degree:], spectrum[: degree + 1]])[::-1]  # highest power of exp(i x) first
+    size = np.abs(coefficients).max()
+    if size == 0.0:
+        return np.zeros(0)
+    kept = np.flatnonzero(np.abs(coefficients) > 1e-15 * size)
+    roots = np.roots(coefficients[kept[0] : kept[-1] + 1])
+    near = np.abs(np.abs(roots) - 1.0) < EVENT
+    return np.asarray(np.mod(np.angle(roots[near]), 2.0 * math.pi))
+
+
+def real_angles(p: Array) -> tuple[Array, Array]:
+    """Rows (m,) and theta (m,) with p(tan(theta/2)) = 0, half a turn included, of polynomials (k, 3) or (k, 5).
+
+    The polynomial in the half tangent is one in exp(i theta) without any value at infinity.
+    """
+    degree = p.shape[1] - 1
+    half = np.arange(degree + 2) * (math.pi / (degree + 2))
+    powers = np.stack([np.sin(half) ** k * np.cos(half) ** (degree - k) for k in range(degree + 1)])
+    spectrum = np.fft.fft(p @ powers, axis=1) / (degree + 2)
+    reach = degree // 2
+    c = np.concatenate([spectrum[:, -reach:], spectrum[:, : reach + 1]], axis=1)  # exp(-i reach theta) first
+    size = np.abs(c).max(axis=1, initial=0.0)
+    lead = np.where(np.abs(c[:, -1]) > 1e-13 * size, c[:, -1], 1e-13 * size + 1e-300)
+    companion = np.zeros((len(p), degree, degree), complex)
+    companion[:, np.arange(1, degree), np.arange(degree - 1)] = 1.0
+    companion[:, :, -1] = -c[:, :-1] / lead[:, np.newaxis]
+    roots = np.linalg.eigvals(companion)
+    rows, which = np.nonzero(np.abs(np.abs(roots) - 1.0) < REAL)
+    return rows, np.angle(roots[rows, which])
