@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs dff72fc4384b8e7a0602b315b4b824058098347a9b9386315abdb37e5a87a0a5.
+ * Made from templates/kernel.c.j2; inputs 1748f9daae78be567a6a17d8670c2262b79131b8adb36722b16d717eafd39830.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "dff72fc4384b8e7a0602b315b4b824058098347a9b9386315abdb37e5a87a0a5";
+const char crx10ial_kinematics_digest[] = "1748f9daae78be567a6a17d8670c2262b79131b8adb36722b16d717eafd39830";
 #endif
 
 #define LANES 64

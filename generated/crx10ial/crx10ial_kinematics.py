@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dff72fc4384b8e7a0602b315b4b824058098347a9b9386315abdb37e5a87a0a5.
+Made from templates/kernel.py.j2; inputs 1748f9daae78be567a6a17d8670c2262b79131b8adb36722b16d717eafd39830.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -135,7 +135,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -315,7 +315,7 @@ def jacobian_pose(q):
     jacobian[..., 27] = -t4
     jacobian[..., 28] = -t7
     jacobian[..., 29] = -t8
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = t12
@@ -503,7 +503,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t26
     jacobian[..., 1] = c1 * t36
     jacobian[..., 2] = -(c1 * t37)
@@ -534,7 +534,7 @@ def kinematics_pose(q):
     jacobian[..., 27] = -t18
     jacobian[..., 28] = -t20
     jacobian[..., 29] = t22
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = t29

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs d58dd18f48f3a9c0b65fcb137b9bd7e580af977ad223b178dc5234d6bd25fbb1.
+ * Made from templates/kernel.c.j2; inputs fac25642fbb582ba986ed3d02ccba44c0c0a0015beaf948e2c951740f0c3e5da.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "d58dd18f48f3a9c0b65fcb137b9bd7e580af977ad223b178dc5234d6bd25fbb1";
+const char crx10ial_pose_digest[] = "fac25642fbb582ba986ed3d02ccba44c0c0a0015beaf948e2c951740f0c3e5da";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d58dd18f48f3a9c0b65fcb137b9bd7e580af977ad223b178dc5234d6bd25fbb1.
+Made from templates/kernel.py.j2; inputs fac25642fbb582ba986ed3d02ccba44c0c0a0015beaf948e2c951740f0c3e5da.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -135,7 +135,7 @@ def manipulability_gradient_pose(q):
     t49 = c4 * (t46 + t4 * t45) - s4 * (t48 + -0.54 * (t1 * t35))
     t50 = t15 * t43 + t14 * t40 - 0.16 * (t12 * t43 - t13 * t40)
     t51 = c5 * (s4 * t42 + c4 * t47) - s5 * t50
-    t52 = 1.0 / t25
+    t52 = 1 / t25
     t53 = t52 * t52
     t54 = -0.5 / t25 * np.sqrt(t52)
 

@@ -1,5 +1,5 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs d58dd18f48f3a9c0b65fcb137b9bd7e580af977ad223b178dc5234d6bd25fbb1.
+ * Made from templates/kernel.h.j2; inputs fac25642fbb582ba986ed3d02ccba44c0c0a0015beaf948e2c951740f0c3e5da.
  * 1276 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d58dd18f48f3a9c0b65fcb137b9bd7e580af977ad223b178dc5234d6bd25fbb1.
+Made from templates/kernel.py.j2; inputs fac25642fbb582ba986ed3d02ccba44c0c0a0015beaf948e2c951740f0c3e5da.
 1276 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -222,7 +222,7 @@ def manipulability_gradient_position(q):
     t107 = t7 * t85 + t30 * t59 + -0.15 * t105 + t2 * t76
     t108 = c4 * (s5 * t106 + t2 * t78 + t4 * t95) - s4 * (t107 + t4 * t94)
     t109 = c5 * (s4 * t106 + t14 * t75 + t6 * t93) - s5 * (t2 * t93 - t4 * t75)
-    t110 = 1.0 / t49
+    t110 = 1 / t49
     t111 = t110 * t110
     t112 = -0.5 / t49 * np.sqrt(t110)
 
@@ -421,7 +421,7 @@ def null_projector_position(q):
     t58 = np.where(t44 != 0.0, t51, 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t44 != 0.0, -(t33 * t52), 0.0), 0.0), 0.0)
     t59 = np.sqrt((t57 + t58 * t58))
     t60 = t53 / t59
-    t61 = 1.0 - np.where(t23 != 0.0, np.where(t23 != 0.0, t24 * t24, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t60, 0.0), 0.0)
+    t61 = 1 - np.where(t23 != 0.0, np.where(t23 != 0.0, t24 * t24, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t60, 0.0), 0.0)
     t62 = t29 - t25
     t63 = t2 * t6
     t64 = np.where(t23 != 0.0, -(t39 * t62), 0.0) + np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t63, 0.0), 0.0)
@@ -480,22 +480,22 @@ def null_projector_position(q):
     t117 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, t24 * t33, 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t76, 0.0), 0.0)
     t118 = t105 / t106
     t119 = -(t117 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t118, 0.0), 0.0))
-    t120 = 1.0 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t71, 0.0), 0.0)
+    t120 = 1 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t71, 0.0), 0.0)
     t121 = np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, -(t37 * t39), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t71, 0.0), 0.0)
     t122 = -(t121 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t112, 0.0), 0.0))
     t123 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, -(t30 * t37), 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t74, 0.0), 0.0)
     t124 = -(t123 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t115, 0.0), 0.0))
     t125 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t37), 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t76, 0.0), 0.0)
     t126 = -(t125 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t118, 0.0), 0.0))
-    t127 = 1.0 - np.where(t23 != 0.0, np.where(t23 != 0.0, t39 * t39, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t69, 0.0), 0.0)
+    t127 = 1 - np.where(t23 != 0.0, np.where(t23 != 0.0, t39 * t39, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t69, 0.0), 0.0)
     t128 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, t30 * t39, 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t74, 0.0), 0.0)
     t129 = -(t128 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t115, 0.0), 0.0))
     t130 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, t33 * t39, 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t76, 0.0), 0.0)
     t131 = -(t130 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t118, 0.0), 0.0))
-    t132 = 1.0 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t30, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t74 * t74, 0.0), 0.0)
+    t132 = 1 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t30, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t74 * t74, 0.0), 0.0)
     t133 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t33, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t74 * t76, 0.0), 0.0)
     t134 = -(t133 + np.where(t106 != 0.0, np.where(t106 != 0.0, t115 * t118, 0.0), 0.0))
-    t135 = 1.0 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t33 * t33, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
+    t135 = 1 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t33 * t33, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
@@ -534,5 +534,5 @@ def null_projector_position(q):
     null_projector[..., 32] = 0.0
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
-    null_projector[..., 35] = 1.0
+    null_projector[..., 35] = 1
     return null_projector.reshape(_leading + (6, 6))

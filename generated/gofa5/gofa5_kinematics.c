@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878.
+ * Made from templates/kernel.c.j2; inputs 56f553bf96ea4d9321c6048178fc263fbb2440688c33f6acf4f6588ff3986b89.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878";
+const char gofa5_kinematics_digest[] = "56f553bf96ea4d9321c6048178fc263fbb2440688c33f6acf4f6588ff3986b89";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878.
+ * Made from templates/kernel.h.j2; inputs 56f553bf96ea4d9321c6048178fc263fbb2440688c33f6acf4f6588ff3986b89.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fa60575091980d62681a32a12ed5c66308bda345d6763aa6f1c4f3dbf9dfb878.
+Made from templates/kernel.py.j2; inputs 56f553bf96ea4d9321c6048178fc263fbb2440688c33f6acf4f6588ff3986b89.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -136,7 +136,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -317,7 +317,7 @@ def jacobian_pose(q):
     jacobian[..., 27] = t4
     jacobian[..., 28] = t21
     jacobian[..., 29] = t8
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = -t11
@@ -502,7 +502,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t22
     jacobian[..., 1] = c1 * t33
     jacobian[..., 2] = c1 * t34
@@ -533,7 +533,7 @@ def kinematics_pose(q):
     jacobian[..., 27] = t17
     jacobian[..., 28] = t15
     jacobian[..., 29] = t19
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = -t26

@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs abb1f55f958c3311045e6f34360585b33b22b2db1c7b74870d206b0ed84d4d9b.
+Made from templates/kernel.py.j2; inputs dcd44110690ffecbe3218b1e1b06fb9570f256cce12c6049cce28d5f9a25d158.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -176,7 +176,7 @@ def manipulability_gradient_pose(q):
     t80 = t3 * t46 - t2 * t61 + t17 * t62 + s4 * t76
     t81 = t13 * t46 + t17 * t61 + t2 * t62 - s4 * t75
     t82 = c5 * (t80 - t13 * t47) - s5 * (t81 + t3 * t47)
-    t83 = 1.0 / t34
+    t83 = 1 / t34
     t84 = t83 * t83
     t85 = -0.5 / t34 * np.sqrt(t83)
 

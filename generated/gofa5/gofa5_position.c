@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs abb1f55f958c3311045e6f34360585b33b22b2db1c7b74870d206b0ed84d4d9b.
+ * Made from templates/kernel.c.j2; inputs dcd44110690ffecbe3218b1e1b06fb9570f256cce12c6049cce28d5f9a25d158.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "abb1f55f958c3311045e6f34360585b33b22b2db1c7b74870d206b0ed84d4d9b";
+const char gofa5_position_digest[] = "dcd44110690ffecbe3218b1e1b06fb9570f256cce12c6049cce28d5f9a25d158";
 #endif
 
 #define LANES 64

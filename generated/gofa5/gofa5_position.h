@@ -1,5 +1,5 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs abb1f55f958c3311045e6f34360585b33b22b2db1c7b74870d206b0ed84d4d9b.
+ * Made from templates/kernel.h.j2; inputs dcd44110690ffecbe3218b1e1b06fb9570f256cce12c6049cce28d5f9a25d158.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

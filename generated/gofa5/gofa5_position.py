@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs abb1f55f958c3311045e6f34360585b33b22b2db1c7b74870d206b0ed84d4d9b.
+Made from templates/kernel.py.j2; inputs dcd44110690ffecbe3218b1e1b06fb9570f256cce12c6049cce28d5f9a25d158.
 1337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -224,7 +224,7 @@ def manipulability_gradient_position(q):
     t109 = s4 * t105 - t3 * t72 - t11 * t73 + t2 * t87
     t110 = t11 * t72 - s4 * t104 - t3 * t73 + t5 * t87
     t111 = c5 * (t109 - t5 * t88) - s5 * (t110 + t2 * t88)
-    t112 = 1.0 / t45
+    t112 = 1 / t45
     t113 = t112 * t112
     t114 = -0.5 / t45 * np.sqrt(t112)
 
@@ -423,7 +423,7 @@ def null_projector_position(q):
     t58 = np.where(t44 != 0.0, t51, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t44 != 0.0, t32 * t52, 0.0), 0.0), 0.0)
     t59 = np.sqrt((t57 + t58 * t58))
     t60 = t53 / t59
-    t61 = 1.0 - np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t23, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t60, 0.0), 0.0)
+    t61 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t23, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t60, 0.0), 0.0)
     t62 = t1 * t4
     t63 = t1 * t33 - c4 * t29
     t64 = np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t62 + t32 * t63, 0.0), 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, t27 * t37, 0.0), 0.0)
@@ -482,22 +482,22 @@ def null_projector_position(q):
     t117 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t23 * t32), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t76, 0.0), 0.0)
     t118 = t105 / t106
     t119 = -(t117 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t118, 0.0), 0.0))
-    t120 = 1.0 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t71, 0.0), 0.0)
+    t120 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t71, 0.0), 0.0)
     t121 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t37 * t39, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t73, 0.0), 0.0)
     t122 = -(t121 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t112, 0.0), 0.0))
     t123 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t37, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t71, 0.0), 0.0)
     t124 = -(t123 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t115, 0.0), 0.0))
     t125 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t37, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t76, 0.0), 0.0)
     t126 = -(t125 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t118, 0.0), 0.0))
-    t127 = 1.0 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t39 * t39, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t73 * t73, 0.0), 0.0)
+    t127 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t39 * t39, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t73 * t73, 0.0), 0.0)
     t128 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t39, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t73, 0.0), 0.0)
     t129 = -(t128 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t115, 0.0), 0.0))
     t130 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t39, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t73 * t76, 0.0), 0.0)
     t131 = -(t130 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t118, 0.0), 0.0))
-    t132 = 1.0 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t69, 0.0), 0.0)
+    t132 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t69, 0.0), 0.0)
     t133 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t32, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t76, 0.0), 0.0)
     t134 = -(t133 + np.where(t106 != 0.0, np.where(t106 != 0.0, t115 * t118, 0.0), 0.0))
-    t135 = 1.0 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
+    t135 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
@@ -536,5 +536,5 @@ def null_projector_position(q):
     null_projector[..., 32] = 0.0
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
-    null_projector[..., 35] = 1.0
+    null_projector[..., 35] = 1
     return null_projector.reshape(_leading + (6, 6))

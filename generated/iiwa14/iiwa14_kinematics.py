@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs efd9c121cd3c24fa74815b8968ba241ea4786719ee831cef4c9d9281212f48e2.
+Made from templates/kernel.py.j2; inputs aec3a7dd8749710ae20ee3a9ecc30aed3c1acf7bc8711e889c482de02a1c4ce0.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -145,7 +145,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -343,7 +343,7 @@ def jacobian_pose(q):
     jacobian[..., 32] = t4
     jacobian[..., 33] = t22
     jacobian[..., 34] = t8
-    jacobian[..., 35] = 1.0
+    jacobian[..., 35] = 1
     jacobian[..., 36] = 0.0
     jacobian[..., 37] = c2
     jacobian[..., 38] = -t15
@@ -543,7 +543,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t26
     jacobian[..., 1] = c1 * t38
     jacobian[..., 2] = t16 * t39 - c2 * t40
@@ -579,7 +579,7 @@ def kinematics_pose(q):
     jacobian[..., 32] = t20
     jacobian[..., 33] = t22
     jacobian[..., 34] = t23
-    jacobian[..., 35] = 1.0
+    jacobian[..., 35] = 1
     jacobian[..., 36] = 0.0
     jacobian[..., 37] = c2
     jacobian[..., 38] = -t29

@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd.
+ * Made from templates/kernel.c.j2; inputs b27ea35885e3cb5fec3db9032527be6d08c4a330d7fe04b0d756b4d6359595a3.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd";
+const char iiwa14_pose_digest[] = "b27ea35885e3cb5fec3db9032527be6d08c4a330d7fe04b0d756b4d6359595a3";
 #endif
 
 #define LANES 64

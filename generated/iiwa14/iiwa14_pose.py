@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd.
+Made from templates/kernel.py.j2; inputs b27ea35885e3cb5fec3db9032527be6d08c4a330d7fe04b0d756b4d6359595a3.
 2462 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -232,7 +232,7 @@ def manipulability_gradient_pose(q):
     t109 = s4 * t101 - t12 * t69 - t7 * t80 + s3 * t76
     t110 = c5 * (t108 - t7 * t82) - s5 * (t109 + c3 * t82)
     t111 = c6 * (t31 * t100 - t27 * t68 - t24 * t79) - s6 * (c4 * t100 + t3 * t68 + t1 * t79)
-    t112 = 1.0 / t49
+    t112 = 1 / t49
     t113 = t112 * t112
     t114 = -0.5 / t49 * np.sqrt(t112)
 
@@ -631,10 +631,10 @@ def null_projector_pose(q):
     t165 = t158 + np.where(t139 != 0.0, t159 * t163, 0.0)
     t166 = t160 + np.where(t139 != 0.0, t161 * t163, 0.0)
     t167 = t154 - np.where(t139 != 0.0, t155 * t163, 0.0)
-    t168 = 1.0 + t164 * t164 + t165 * t165 + t166 * t166 + t167 * t167
+    t168 = 1 + t164 * t164 + t165 * t165 + t166 * t166 + t167 * t167
     t169 = t156 + np.where(t139 != 0.0, t157 * t163, 0.0)
     t170 = np.sqrt((t168 + t169 * t169))
-    t171 = 1.0 / t170
+    t171 = 1 / t170
     t172 = t164 / t170
     t173 = t167 / t170
     t174 = t166 / t170
@@ -667,7 +667,7 @@ def null_projector_pose(q):
     t201 = t191 - np.where(t139 != 0.0, t157 * t195, 0.0)
     t202 = np.sqrt((t198 + t199 * t199 + t200 * t200 + t201 * t201))
     t203 = t196 / t202
-    t204 = 1.0 - np.where(t139 != 0.0, np.where(t139 != 0.0, t140 * t140, 0.0), 0.0) - np.where(t202 != 0.0, np.where(t202 != 0.0, t203 * t203, 0.0), 0.0)
+    t204 = 1 - np.where(t139 != 0.0, np.where(t139 != 0.0, t140 * t140, 0.0), 0.0) - np.where(t202 != 0.0, np.where(t202 != 0.0, t203 * t203, 0.0), 0.0)
     t205 = np.where(t18 != 0.0, np.where(t24 != 0.0, t4 * t26 + t9 * t28, 0.0), 0.0) - np.where(t18 != 0.0, np.where(t24 != 0.0, c3 * t25, 0.0), 0.0)
     t206 = t205 - np.where(t18 != 0.0, np.where(t24 != 0.0, -(t12 * t30), 0.0), 0.0)
     t207 = t9 - np.where(t18 != 0.0, np.where(t24 != 0.0, t28 * t206, 0.0), 0.0)
@@ -701,11 +701,11 @@ def null_projector_pose(q):
     t235 = np.where(t202 != 0.0, -np.where(t202 != 0.0, np.where(t170 != 0.0, t232 * t234, 0.0), 0.0), 0.0)
     t236 = t225 + np.where(t202 != 0.0, np.where(t202 != 0.0, t226 * t232, 0.0), 0.0)
     t237 = t227 + np.where(t202 != 0.0, np.where(t202 != 0.0, t228 * t232, 0.0), 0.0)
-    t238 = 1.0 + t233 * t233 + t235 * t235 + t236 * t236 + t237 * t237
+    t238 = 1 + t233 * t233 + t235 * t235 + t236 * t236 + t237 * t237
     t239 = t223 - np.where(t202 != 0.0, np.where(t202 != 0.0, t224 * t232, 0.0), 0.0)
     t240 = t230 + np.where(t202 != 0.0, np.where(t202 != 0.0, t231 * t232, 0.0), 0.0)
     t241 = np.sqrt((t238 + t239 * t239 + t240 * t240))
-    t242 = 1.0 / t241
+    t242 = 1 / t241
     t243 = t233 / t241
     t244 = t239 / t241
     t245 = t237 / t241
@@ -779,7 +779,7 @@ def null_projector_pose(q):
     t313 = -t312
     t314 = np.where(t202 != 0.0, -np.where(t202 != 0.0, np.where(t170 != 0.0, t231 * t234, 0.0), 0.0), 0.0) + np.where(t283 != 0.0, np.where(t283 != 0.0, t287 * t300, 0.0), 0.0)
     t315 = -t314
-    t316 = 1.0 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t25 * t25, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t60 * t60, 0.0), 0.0)
+    t316 = 1 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t25 * t25, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t60 * t60, 0.0), 0.0)
     t317 = t316 - np.where(t101 != 0.0, np.where(t101 != 0.0, t103 * t103, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t159 * t159, 0.0), 0.0)
     t318 = t317 - np.where(t202 != 0.0, np.where(t202 != 0.0, t226 * t226, 0.0), 0.0) - np.where(t283 != 0.0, np.where(t283 != 0.0, t291 * t291, 0.0), 0.0)
     t319 = np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, -(t25 * t26), 0.0), 0.0), 0.0), 0.0) + np.where(t58 != 0.0, np.where(t58 != 0.0, t60 * t62, 0.0), 0.0)
@@ -794,7 +794,7 @@ def null_projector_pose(q):
     t328 = t327 + np.where(t101 != 0.0, np.where(t101 != 0.0, t103 * t108, 0.0), 0.0) + np.where(t139 != 0.0, np.where(t139 != 0.0, t157 * t159, 0.0), 0.0)
     t329 = t328 + np.where(t202 != 0.0, np.where(t202 != 0.0, t226 * t231, 0.0), 0.0) + np.where(t283 != 0.0, np.where(t283 != 0.0, t291 * t300, 0.0), 0.0)
     t330 = -t329
-    t331 = 1.0 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t26 * t26, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t62 * t62, 0.0), 0.0)
+    t331 = 1 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t26 * t26, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t62 * t62, 0.0), 0.0)
     t332 = t331 - np.where(t101 != 0.0, np.where(t101 != 0.0, t105 * t105, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t161 * t161, 0.0), 0.0)
     t333 = t332 - np.where(t202 != 0.0, np.where(t202 != 0.0, t228 * t228, 0.0), 0.0) - np.where(t283 != 0.0, np.where(t283 != 0.0, t294 * t294, 0.0), 0.0)
     t334 = np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, -(t26 * t28), 0.0), 0.0), 0.0), 0.0) + np.where(t58 != 0.0, np.where(t58 != 0.0, t62 * t63, 0.0), 0.0)
@@ -805,14 +805,14 @@ def null_projector_pose(q):
     t339 = t338 + np.where(t101 != 0.0, np.where(t101 != 0.0, t105 * t108, 0.0), 0.0) + np.where(t139 != 0.0, np.where(t139 != 0.0, t157 * t161, 0.0), 0.0)
     t340 = t339 + np.where(t202 != 0.0, np.where(t202 != 0.0, t228 * t231, 0.0), 0.0) + np.where(t283 != 0.0, np.where(t283 != 0.0, t294 * t300, 0.0), 0.0)
     t341 = -t340
-    t342 = 1.0 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t63 * t63, 0.0), 0.0)
+    t342 = 1 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t63 * t63, 0.0), 0.0)
     t343 = t342 - np.where(t101 != 0.0, np.where(t101 != 0.0, t106 * t106, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t155 * t155, 0.0), 0.0)
     t344 = t343 - np.where(t202 != 0.0, np.where(t202 != 0.0, t224 * t224, 0.0), 0.0) - np.where(t283 != 0.0, np.where(t283 != 0.0, t297 * t297, 0.0), 0.0)
     t345 = np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, -(t28 * t30), 0.0), 0.0), 0.0), 0.0) + np.where(t58 != 0.0, np.where(t58 != 0.0, t63 * t65, 0.0), 0.0)
     t346 = t345 + np.where(t101 != 0.0, np.where(t101 != 0.0, t106 * t108, 0.0), 0.0) + np.where(t139 != 0.0, np.where(t139 != 0.0, t155 * t157, 0.0), 0.0)
     t347 = t346 + np.where(t202 != 0.0, np.where(t202 != 0.0, t224 * t231, 0.0), 0.0) + np.where(t283 != 0.0, np.where(t283 != 0.0, t297 * t300, 0.0), 0.0)
     t348 = -t347
-    t349 = 1.0 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t30 * t30, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t65 * t65, 0.0), 0.0)
+    t349 = 1 - np.where(t18 != 0.0, np.where(t24 != 0.0, np.where(t18 != 0.0, np.where(t24 != 0.0, t30 * t30, 0.0), 0.0), 0.0), 0.0) - np.where(t58 != 0.0, np.where(t58 != 0.0, t65 * t65, 0.0), 0.0)
     t350 = t349 - np.where(t101 != 0.0, np.where(t101 != 0.0, t108 * t108, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t157 * t157, 0.0), 0.0)
     t351 = t350 - np.where(t202 != 0.0, np.where(t202 != 0.0, t231 * t231, 0.0), 0.0) - np.where(t283 != 0.0, np.where(t283 != 0.0, t300 * t300, 0.0), 0.0)
 
@@ -826,7 +826,7 @@ def null_projector_pose(q):
     null_projector[..., 5] = t298
     null_projector[..., 6] = t301
     null_projector[..., 7] = t286
-    null_projector[..., 8] = 1.0 - np.where(t283 != 0.0, np.where(t241 != 0.0, np.where(t283 != 0.0, np.where(t241 != 0.0, t285 * t285, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 8] = 1 - np.where(t283 != 0.0, np.where(t241 != 0.0, np.where(t283 != 0.0, np.where(t241 != 0.0, t285 * t285, 0.0), 0.0), 0.0), 0.0)
     null_projector[..., 9] = t302
     null_projector[..., 10] = t303
     null_projector[..., 11] = t304
@@ -834,7 +834,7 @@ def null_projector_pose(q):
     null_projector[..., 13] = t306
     null_projector[..., 14] = t289
     null_projector[..., 15] = t302
-    null_projector[..., 16] = 1.0 - t307 * t307 - np.where(t283 != 0.0, np.where(t283 != 0.0, t287 * t287, 0.0), 0.0)
+    null_projector[..., 16] = 1 - t307 * t307 - np.where(t283 != 0.0, np.where(t283 != 0.0, t287 * t287, 0.0), 0.0)
     null_projector[..., 17] = t309
     null_projector[..., 18] = t311
     null_projector[..., 19] = t313

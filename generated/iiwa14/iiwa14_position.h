@@ -1,5 +1,5 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd.
+ * Made from templates/kernel.h.j2; inputs b27ea35885e3cb5fec3db9032527be6d08c4a330d7fe04b0d756b4d6359595a3.
  * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

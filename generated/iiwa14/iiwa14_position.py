@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 57da71ee44e9d13e91ff0cf01cda277d1f2a9906af5f41eb349d4234336406cd.
+Made from templates/kernel.py.j2; inputs b27ea35885e3cb5fec3db9032527be6d08c4a330d7fe04b0d756b4d6359595a3.
 1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -305,7 +305,7 @@ def manipulability_gradient_position(q):
     t158 = c5 * t148 - t11 * t141 + t5 * t131 + t3 * t121
     t159 = c4 * t123 - 0.4 * (t122 + t158) + s4 * t124 + s5 * t143
     t160 = c6 * t157 - s6 * (t159 + c5 * t151)
-    t161 = 1.0 / t74
+    t161 = 1 / t74
     t162 = t161 * t161
     t163 = -0.5 / t74 * np.sqrt(t161)
 
@@ -548,7 +548,7 @@ def null_projector_position(q):
     t65 = np.where(t52 != 0.0, -t58, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t52 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t50 * t59, 0.0), 0.0), 0.0), 0.0), 0.0)
     t66 = np.sqrt((t64 + t65 * t65))
     t67 = t60 / t66
-    t68 = 1.0 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0)
+    t68 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0)
     t69 = t11 * t32 + t4 * t35
     t70 = t13 * t32 + t4 * t38
     t71 = t16 * t31 - t3 * t29
@@ -610,7 +610,7 @@ def null_projector_position(q):
     t127 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t83, 0.0), 0.0)
     t128 = t112 / t114
     t129 = -(t127 + np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t128, 0.0), 0.0))
-    t130 = 1.0 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t76, 0.0), 0.0)
+    t130 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t76, 0.0), 0.0)
     t131 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t40, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t78, 0.0), 0.0)
     t132 = -(t131 + np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t120, 0.0), 0.0))
     t133 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t80, 0.0), 0.0)
@@ -618,18 +618,18 @@ def null_projector_position(q):
     t135 = -np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t125, 0.0), 0.0), 0.0)
     t136 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t83, 0.0), 0.0)
     t137 = -(t136 + np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t128, 0.0), 0.0))
-    t138 = 1.0 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t78, 0.0), 0.0)
+    t138 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t78, 0.0), 0.0)
     t139 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t80, 0.0), 0.0)
     t140 = -(t139 + np.where(t114 != 0.0, np.where(t114 != 0.0, t120 * t123, 0.0), 0.0))
     t141 = -np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t114 != 0.0, t120 * t125, 0.0), 0.0), 0.0)
     t142 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t83, 0.0), 0.0)
     t143 = -(t142 + np.where(t114 != 0.0, np.where(t114 != 0.0, t120 * t128, 0.0), 0.0))
-    t144 = 1.0 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t80 * t80, 0.0), 0.0)
+    t144 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t80 * t80, 0.0), 0.0)
     t145 = -np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t114 != 0.0, t123 * t125, 0.0), 0.0), 0.0)
     t146 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t80 * t83, 0.0), 0.0)
     t147 = -(t146 + np.where(t114 != 0.0, np.where(t114 != 0.0, t123 * t128, 0.0), 0.0))
     t148 = -np.where(t114 != 0.0, np.where(t92 != 0.0, np.where(t114 != 0.0, t125 * t128, 0.0), 0.0), 0.0)
-    t149 = 1.0 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
+    t149 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 49), _real)
@@ -665,7 +665,7 @@ def null_projector_position(q):
     null_projector[..., 29] = t135
     null_projector[..., 30] = t141
     null_projector[..., 31] = t145
-    null_projector[..., 32] = 1.0 - np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t92 != 0.0, np.where(t114 != 0.0, t125 * t125, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 32] = 1 - np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t92 != 0.0, np.where(t114 != 0.0, t125 * t125, 0.0), 0.0), 0.0), 0.0)
     null_projector[..., 33] = t148
     null_projector[..., 34] = 0.0
     null_projector[..., 35] = t129
@@ -681,5 +681,5 @@ def null_projector_position(q):
     null_projector[..., 45] = 0.0
     null_projector[..., 46] = 0.0
     null_projector[..., 47] = 0.0
-    null_projector[..., 48] = 1.0
+    null_projector[..., 48] = 1
     return null_projector.reshape(_leading + (7, 7))

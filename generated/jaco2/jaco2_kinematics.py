@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 931b26cdd25defcb15194af5522d018f1673a3a8bcd4f336c5e6066ff31f0857.
+Made from templates/kernel.py.j2; inputs 7c43deae1c8c0bb361b179c9adf03400ec8f81047fd026db799e25ad99447e65.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -151,7 +151,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -346,7 +346,7 @@ def jacobian_pose(q):
     jacobian[..., 27] = -t4
     jacobian[..., 28] = t10
     jacobian[..., 29] = 0.5000000000000001 * t10 - 0.8660254037844386 * t9
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = t13
@@ -556,7 +556,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t32
     jacobian[..., 1] = -(c1 * t47)
     jacobian[..., 2] = c1 * t48
@@ -587,7 +587,7 @@ def kinematics_pose(q):
     jacobian[..., 27] = -t22
     jacobian[..., 28] = t25
     jacobian[..., 29] = t28
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = t35

@@ -1,5 +1,5 @@
 /* jaco2_pose.h: manipulability (pose) of jaco2.
- * Made from templates/kernel.h.j2; inputs dfe296b5761a527b44b678e42126a81e251d5ab4c7c5afdae576a7d4cb4303b3.
+ * Made from templates/kernel.h.j2; inputs 94584755b8edcc21b1ea5040c02c812721994bd63ca9e2e57bfd413ac7051110.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

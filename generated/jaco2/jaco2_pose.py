@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dfe296b5761a527b44b678e42126a81e251d5ab4c7c5afdae576a7d4cb4303b3.
+Made from templates/kernel.py.j2; inputs 94584755b8edcc21b1ea5040c02c812721994bd63ca9e2e57bfd413ac7051110.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -199,7 +199,7 @@ def manipulability_gradient_pose(q):
     t96 = t95 + -0.8660254037844386 * (t20 * t60 - t6 * t78) + t2 * t58
     t97 = c4 * (t2 * t67 - s5 * t94 + t4 * t82) - s4 * (t96 - t4 * t77)
     t98 = c5 * (t15 * t57 - s4 * t94 - t8 * t76) - s5 * (t33 * t94 + t14 * t57 + t7 * t76)
-    t99 = 1.0 / t46
+    t99 = 1 / t46
     t100 = t99 * t99
     t101 = -0.5 / t46 * np.sqrt(t99)
 

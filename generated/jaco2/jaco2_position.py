@@ -1,6 +1,6 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dfe296b5761a527b44b678e42126a81e251d5ab4c7c5afdae576a7d4cb4303b3.
+Made from templates/kernel.py.j2; inputs 94584755b8edcc21b1ea5040c02c812721994bd63ca9e2e57bfd413ac7051110.
 1419 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -248,7 +248,7 @@ def manipulability_gradient_position(q):
     t125 = t124 + 0.07409999999999999 * (t122 - t121) - t2 * t111 - t4 * t108
     t126 = c4 * (t2 * t112 - s5 * t123 + t4 * t107) - s4 * t125
     t127 = c5 * (s4 * t123 + t17 * t87 + t8 * t104) + s5 * (t29 * t123 + t16 * t87 - t7 * t104)
-    t128 = 1.0 / t58
+    t128 = 1 / t58
     t129 = t128 * t128
     t130 = -0.5 / t58 * np.sqrt(t128)
 
@@ -462,7 +462,7 @@ def null_projector_position(q):
     t65 = np.where(t52 != 0.0, t58, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t52 != 0.0, t40 * t59, 0.0), 0.0), 0.0)
     t66 = np.sqrt((t64 + t65 * t65))
     t67 = t60 / t66
-    t68 = 1.0 - np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t29, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0)
+    t68 = 1 - np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t29, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0)
     t69 = t6 * t13
     t70 = np.where(t28 != 0.0, -(t36 * t45), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t69, 0.0), 0.0)
     t71 = t18 * t35 - t17 * t41
@@ -520,22 +520,22 @@ def null_projector_position(q):
     t123 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t29 * t40), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t83, 0.0), 0.0)
     t124 = t111 / t112
     t125 = -(t123 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t124, 0.0), 0.0))
-    t126 = 1.0 - np.where(t28 != 0.0, np.where(t28 != 0.0, t45 * t45, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t76, 0.0), 0.0)
+    t126 = 1 - np.where(t28 != 0.0, np.where(t28 != 0.0, t45 * t45, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t76, 0.0), 0.0)
     t127 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t45 * t47), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t78, 0.0), 0.0)
     t128 = -(t127 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t118, 0.0), 0.0))
     t129 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, t37 * t45, 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t81, 0.0), 0.0)
     t130 = -(t129 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t121, 0.0), 0.0))
     t131 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t40 * t45), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t83, 0.0), 0.0)
     t132 = -(t131 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t124, 0.0), 0.0))
-    t133 = 1.0 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t78, 0.0), 0.0)
+    t133 = 1 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t78, 0.0), 0.0)
     t134 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t47), 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t81, 0.0), 0.0)
     t135 = -(t134 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t121, 0.0), 0.0))
     t136 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t47, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t83, 0.0), 0.0)
     t137 = -(t136 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t124, 0.0), 0.0))
-    t138 = 1.0 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t81, 0.0), 0.0)
+    t138 = 1 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t81, 0.0), 0.0)
     t139 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t40), 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t83, 0.0), 0.0)
     t140 = -(t139 + np.where(t112 != 0.0, np.where(t112 != 0.0, t121 * t124, 0.0), 0.0))
-    t141 = 1.0 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
+    t141 = 1 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
@@ -574,5 +574,5 @@ def null_projector_position(q):
     null_projector[..., 32] = 0.0
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
-    null_projector[..., 35] = 1.0
+    null_projector[..., 35] = 1
     return null_projector.reshape(_leading + (6, 6))

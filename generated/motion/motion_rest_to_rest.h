@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs cb7f682c75587bb4eaa6c1bef918c215e24166aad5994b2042c08e48eb285c93.
+ * Made from templates/kernel.h.j2; inputs 0bdd9d132b013f548bbdb27c7f87c55583716cf4ea3fbada05eb3365a3aa84bb.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cb7f682c75587bb4eaa6c1bef918c215e24166aad5994b2042c08e48eb285c93.
+Made from templates/kernel.py.j2; inputs 0bdd9d132b013f548bbdb27c7f87c55583716cf4ea3fbada05eb3365a3aa84bb.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

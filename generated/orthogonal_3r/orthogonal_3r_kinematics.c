@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983.
+ * Made from templates/kernel.c.j2; inputs f3276e780253de3c66ca210aeec1bc761e2be7fbe84c128f8dcee6dd0f5e05e1.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983";
+const char orthogonal_3r_kinematics_digest[] = "f3276e780253de3c66ca210aeec1bc761e2be7fbe84c128f8dcee6dd0f5e05e1";
 #endif
 
 #define LANES 64

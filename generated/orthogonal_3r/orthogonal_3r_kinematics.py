@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983.
+Made from templates/kernel.py.j2; inputs f3276e780253de3c66ca210aeec1bc761e2be7fbe84c128f8dcee6dd0f5e05e1.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -103,7 +103,7 @@ def pose(q, parameters):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -220,7 +220,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 12] = 0.0
     jacobian[..., 13] = c1
     jacobian[..., 14] = t7
-    jacobian[..., 15] = 1.0
+    jacobian[..., 15] = 1
     jacobian[..., 16] = 0.0
     jacobian[..., 17] = c2
     return jacobian.reshape(_leading + (6, 3))
@@ -349,7 +349,7 @@ def kinematics_pose(q, parameters):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t12
     jacobian[..., 1] = -(c1 * t15)
     jacobian[..., 2] = -(c2 * t11 + t9 * t14)
@@ -365,7 +365,7 @@ def kinematics_pose(q, parameters):
     jacobian[..., 12] = 0.0
     jacobian[..., 13] = c1
     jacobian[..., 14] = t9
-    jacobian[..., 15] = 1.0
+    jacobian[..., 15] = 1
     jacobian[..., 16] = 0.0
     jacobian[..., 17] = c2
     return pose.reshape(_leading + (4, 4)), jacobian.reshape(_leading + (6, 3))

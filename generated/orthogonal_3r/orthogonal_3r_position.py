@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ff3ba3fd521179fa4d25d064a89b25f505c617a2adb1361a36e564acae27f983.
+Made from templates/kernel.py.j2; inputs f3276e780253de3c66ca210aeec1bc761e2be7fbe84c128f8dcee6dd0f5e05e1.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -80,7 +80,7 @@ def manipulability_gradient_position(q, parameters):
     t8 = r2 * t7
     t9 = s2 * (c3 * t8 - d3 * (s3 * t7))
     t10 = c3 * (t2 * t7 + d2 * t7) + s3 * (c2 * t8 + d4 * (d4 * (t3 * t6)))
-    t11 = 1.0 / t5
+    t11 = 1 / t5
     t12 = t11 * t11
     t13 = -0.5 / t5 * np.sqrt(t11)
 

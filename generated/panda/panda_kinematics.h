@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 58ee3e7dd73424132313fbf4741423553047ccecbca5ba3e89ac0353ffb1f6d9.
+ * Made from templates/kernel.h.j2; inputs 5491f4eada85868fe15a223866859ae18ac6637d057a8b91b00caa61f509a16d.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 58ee3e7dd73424132313fbf4741423553047ccecbca5ba3e89ac0353ffb1f6d9.
+Made from templates/kernel.py.j2; inputs 5491f4eada85868fe15a223866859ae18ac6637d057a8b91b00caa61f509a16d.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -154,7 +154,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -391,7 +391,7 @@ def jacobian_pose(q):
     jacobian[..., 32] = t6
     jacobian[..., 33] = -t33
     jacobian[..., 34] = -t12
-    jacobian[..., 35] = 1.0
+    jacobian[..., 35] = 1
     jacobian[..., 36] = 0.0
     jacobian[..., 37] = c2
     jacobian[..., 38] = -t20
@@ -630,7 +630,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t32
     jacobian[..., 1] = c1 * t47
     jacobian[..., 2] = t19 * t48 - c2 * t49
@@ -666,7 +666,7 @@ def kinematics_pose(q):
     jacobian[..., 32] = t23
     jacobian[..., 33] = -t25
     jacobian[..., 34] = t27
-    jacobian[..., 35] = 1.0
+    jacobian[..., 35] = 1
     jacobian[..., 36] = 0.0
     jacobian[..., 37] = c2
     jacobian[..., 38] = -t35

@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9cec198ecca95e2bc1bdaccc7549aca2fdc748700ef6091d5f08c2bd8b91c34c.
+Made from templates/kernel.py.j2; inputs 05f6f66018b6c34a3a0653b13097e4cab382e6be170490170e5f3e198c3487ba.
 2645 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -247,7 +247,7 @@ def manipulability_gradient_pose(q):
     t118 = c4 * t106 - t34 * t107 + t27 * t84 + t8 * t76
     t119 = t34 * t106 + c4 * t107 + t2 * t84 - t29 * t76
     t120 = c6 * (t118 + t29 * t74 - t2 * t86) - s6 * (t119 + t8 * t74 + t27 * t86)
-    t121 = 1.0 / t52
+    t121 = 1 / t52
     t122 = t121 * t121
     t123 = -0.5 / t52 * np.sqrt(t121)
 
@@ -657,10 +657,10 @@ def null_projector_pose(q):
     t164 = t157 + np.where(t139 != 0.0, t158 * t162, 0.0)
     t165 = t159 + np.where(t139 != 0.0, t160 * t162, 0.0)
     t166 = t153 + np.where(t139 != 0.0, t154 * t162, 0.0)
-    t167 = 1.0 + t163 * t163 + t164 * t164 + t165 * t165 + t166 * t166
+    t167 = 1 + t163 * t163 + t164 * t164 + t165 * t165 + t166 * t166
     t168 = t155 + np.where(t139 != 0.0, t156 * t162, 0.0)
     t169 = np.sqrt((t167 + t168 * t168))
-    t170 = 1.0 / t169
+    t170 = 1 / t169
     t171 = t163 / t169
     t172 = t166 / t169
     t173 = t164 / t169
@@ -695,7 +695,7 @@ def null_projector_pose(q):
     t202 = t192 - np.where(t139 != 0.0, t156 * t196, 0.0)
     t203 = np.sqrt((t199 + t200 * t200 + t201 * t201 + t202 * t202))
     t204 = t197 / t203
-    t205 = 1.0 - np.where(t139 != 0.0, np.where(t139 != 0.0, t140 * t140, 0.0), 0.0) - np.where(t203 != 0.0, np.where(t203 != 0.0, t204 * t204, 0.0), 0.0)
+    t205 = 1 - np.where(t139 != 0.0, np.where(t139 != 0.0, t140 * t140, 0.0), 0.0) - np.where(t203 != 0.0, np.where(t203 != 0.0, t204 * t204, 0.0), 0.0)
     t206 = np.where(t21 != 0.0, np.where(t27 != 0.0, -(t5 * t29), 0.0), 0.0) - np.where(t21 != 0.0, np.where(t27 != 0.0, c3 * t28, 0.0), 0.0)
     t207 = t206 - np.where(t21 != 0.0, np.where(t27 != 0.0, t11 * t31, 0.0), 0.0) - np.where(t21 != 0.0, np.where(t27 != 0.0, -(t18 * t33), 0.0), 0.0)
     t208 = t18 - np.where(t21 != 0.0, np.where(t27 != 0.0, t33 * t207, 0.0), 0.0)
@@ -729,11 +729,11 @@ def null_projector_pose(q):
     t236 = np.where(t203 != 0.0, -np.where(t203 != 0.0, np.where(t169 != 0.0, t233 * t235, 0.0), 0.0), 0.0)
     t237 = t226 + np.where(t203 != 0.0, np.where(t203 != 0.0, t227 * t233, 0.0), 0.0)
     t238 = t228 + np.where(t203 != 0.0, np.where(t203 != 0.0, t229 * t233, 0.0), 0.0)
-    t239 = 1.0 + t234 * t234 + t236 * t236 + t237 * t237 + t238 * t238
+    t239 = 1 + t234 * t234 + t236 * t236 + t237 * t237 + t238 * t238
     t240 = t231 + np.where(t203 != 0.0, np.where(t203 != 0.0, t232 * t233, 0.0), 0.0)
     t241 = t224 - np.where(t203 != 0.0, np.where(t203 != 0.0, t225 * t233, 0.0), 0.0)
     t242 = np.sqrt((t239 + t240 * t240 + t241 * t241))
-    t243 = 1.0 / t242
+    t243 = 1 / t242
     t244 = t234 / t242
     t245 = t240 / t242
     t246 = t241 / t242
@@ -805,7 +805,7 @@ def null_projector_pose(q):
     t312 = -t311
     t313 = np.where(t203 != 0.0, -np.where(t203 != 0.0, np.where(t169 != 0.0, t225 * t235, 0.0), 0.0), 0.0) + np.where(t282 != 0.0, np.where(t282 != 0.0, t286 * t299, 0.0), 0.0)
     t314 = -t313
-    t315 = 1.0 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t64 * t64, 0.0), 0.0)
+    t315 = 1 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t64 * t64, 0.0), 0.0)
     t316 = t315 - np.where(t103 != 0.0, np.where(t103 != 0.0, t105 * t105, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t158 * t158, 0.0), 0.0)
     t317 = t316 - np.where(t203 != 0.0, np.where(t203 != 0.0, t227 * t227, 0.0), 0.0) - np.where(t282 != 0.0, np.where(t282 != 0.0, t290 * t290, 0.0), 0.0)
     t318 = np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t28 * t29, 0.0), 0.0), 0.0), 0.0) + np.where(t62 != 0.0, np.where(t62 != 0.0, t64 * t66, 0.0), 0.0)
@@ -820,7 +820,7 @@ def null_projector_pose(q):
     t327 = t326 + np.where(t103 != 0.0, np.where(t103 != 0.0, t105 * t110, 0.0), 0.0) + np.where(t139 != 0.0, np.where(t139 != 0.0, t156 * t158, 0.0), 0.0)
     t328 = t327 + np.where(t203 != 0.0, np.where(t203 != 0.0, t225 * t227, 0.0), 0.0) + np.where(t282 != 0.0, np.where(t282 != 0.0, t290 * t299, 0.0), 0.0)
     t329 = -t328
-    t330 = 1.0 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t29 * t29, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t66 * t66, 0.0), 0.0)
+    t330 = 1 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t29 * t29, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t66 * t66, 0.0), 0.0)
     t331 = t330 - np.where(t103 != 0.0, np.where(t103 != 0.0, t107 * t107, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t160 * t160, 0.0), 0.0)
     t332 = t331 - np.where(t203 != 0.0, np.where(t203 != 0.0, t229 * t229, 0.0), 0.0) - np.where(t282 != 0.0, np.where(t282 != 0.0, t293 * t293, 0.0), 0.0)
     t333 = np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t29 * t31, 0.0), 0.0), 0.0), 0.0) + np.where(t62 != 0.0, np.where(t62 != 0.0, t66 * t67, 0.0), 0.0)
@@ -831,14 +831,14 @@ def null_projector_pose(q):
     t338 = t337 + np.where(t103 != 0.0, np.where(t103 != 0.0, t107 * t110, 0.0), 0.0) + np.where(t139 != 0.0, np.where(t139 != 0.0, t156 * t160, 0.0), 0.0)
     t339 = t338 + np.where(t203 != 0.0, np.where(t203 != 0.0, t225 * t229, 0.0), 0.0) + np.where(t282 != 0.0, np.where(t282 != 0.0, t293 * t299, 0.0), 0.0)
     t340 = -t339
-    t341 = 1.0 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t31 * t31, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t67 * t67, 0.0), 0.0)
+    t341 = 1 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t31 * t31, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t67 * t67, 0.0), 0.0)
     t342 = t341 - np.where(t103 != 0.0, np.where(t103 != 0.0, t108 * t108, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t154 * t154, 0.0), 0.0)
     t343 = t342 - np.where(t203 != 0.0, np.where(t203 != 0.0, t232 * t232, 0.0), 0.0) - np.where(t282 != 0.0, np.where(t282 != 0.0, t296 * t296, 0.0), 0.0)
     t344 = np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t31 * t33, 0.0), 0.0), 0.0), 0.0) + np.where(t62 != 0.0, np.where(t62 != 0.0, t67 * t69, 0.0), 0.0)
     t345 = t344 + np.where(t103 != 0.0, np.where(t103 != 0.0, t108 * t110, 0.0), 0.0) + np.where(t139 != 0.0, np.where(t139 != 0.0, t154 * t156, 0.0), 0.0)
     t346 = t345 + np.where(t203 != 0.0, np.where(t203 != 0.0, t225 * t232, 0.0), 0.0) + np.where(t282 != 0.0, np.where(t282 != 0.0, t296 * t299, 0.0), 0.0)
     t347 = -t346
-    t348 = 1.0 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t33 * t33, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t69 * t69, 0.0), 0.0)
+    t348 = 1 - np.where(t21 != 0.0, np.where(t27 != 0.0, np.where(t21 != 0.0, np.where(t27 != 0.0, t33 * t33, 0.0), 0.0), 0.0), 0.0) - np.where(t62 != 0.0, np.where(t62 != 0.0, t69 * t69, 0.0), 0.0)
     t349 = t348 - np.where(t103 != 0.0, np.where(t103 != 0.0, t110 * t110, 0.0), 0.0) - np.where(t139 != 0.0, np.where(t139 != 0.0, t156 * t156, 0.0), 0.0)
     t350 = t349 - np.where(t203 != 0.0, np.where(t203 != 0.0, t225 * t225, 0.0), 0.0) - np.where(t282 != 0.0, np.where(t282 != 0.0, t299 * t299, 0.0), 0.0)
 
@@ -852,7 +852,7 @@ def null_projector_pose(q):
     null_projector[..., 5] = t297
     null_projector[..., 6] = t300
     null_projector[..., 7] = t285
-    null_projector[..., 8] = 1.0 - np.where(t282 != 0.0, np.where(t242 != 0.0, np.where(t282 != 0.0, np.where(t242 != 0.0, t284 * t284, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 8] = 1 - np.where(t282 != 0.0, np.where(t242 != 0.0, np.where(t282 != 0.0, np.where(t242 != 0.0, t284 * t284, 0.0), 0.0), 0.0), 0.0)
     null_projector[..., 9] = t301
     null_projector[..., 10] = t302
     null_projector[..., 11] = t303
@@ -860,7 +860,7 @@ def null_projector_pose(q):
     null_projector[..., 13] = t305
     null_projector[..., 14] = t288
     null_projector[..., 15] = t301
-    null_projector[..., 16] = 1.0 - t306 * t306 - np.where(t282 != 0.0, np.where(t282 != 0.0, t286 * t286, 0.0), 0.0)
+    null_projector[..., 16] = 1 - t306 * t306 - np.where(t282 != 0.0, np.where(t282 != 0.0, t286 * t286, 0.0), 0.0)
     null_projector[..., 17] = t308
     null_projector[..., 18] = t310
     null_projector[..., 19] = t312

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9cec198ecca95e2bc1bdaccc7549aca2fdc748700ef6091d5f08c2bd8b91c34c.
+Made from templates/kernel.py.j2; inputs 05f6f66018b6c34a3a0653b13097e4cab382e6be170490170e5f3e198c3487ba.
 1852 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -323,7 +323,7 @@ def manipulability_gradient_position(q):
     t169 = -0.107 * t168 + c4 * t135 + 0.384 * t160 - s4 * t137
     t170 = c5 * t161 - 0.088 * t168 + s5 * t155 + 0.384 * t163
     t171 = c6 * (t169 + c5 * t164 + s5 * t157) - s6 * (t170 + c4 * t140 + s4 * t142)
-    t172 = 1.0 / t81
+    t172 = 1 / t81
     t173 = t172 * t172
     t174 = -0.5 / t81 * np.sqrt(t172)
 
@@ -583,7 +583,7 @@ def null_projector_position(q):
     t75 = np.where(t60 != 0.0, t66, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t67, 0.0), 0.0), 0.0), 0.0), 0.0)
     t76 = np.sqrt((t74 + t75 * t75))
     t77 = t68 / t76
-    t78 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t77, 0.0), 0.0)
+    t78 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t77, 0.0), 0.0)
     t79 = t10 * t40 - t13 * t37
     t80 = t13 * t44 + t16 * t40
     t81 = t19 * t36 - t9 * t47
@@ -647,7 +647,7 @@ def null_projector_position(q):
     t139 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t93, 0.0), 0.0)
     t140 = t124 / t126
     t141 = -(t139 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t140, 0.0), 0.0))
-    t142 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t43, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t86, 0.0), 0.0)
+    t142 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t43, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t86, 0.0), 0.0)
     t143 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t43 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t88, 0.0), 0.0)
     t144 = -(t143 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t132, 0.0), 0.0))
     t145 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t43 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t90, 0.0), 0.0)
@@ -655,18 +655,18 @@ def null_projector_position(q):
     t147 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t137, 0.0), 0.0), 0.0)
     t148 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t43, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t93, 0.0), 0.0)
     t149 = -(t148 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t140, 0.0), 0.0))
-    t150 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t46 * t46, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t88, 0.0), 0.0)
+    t150 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t46 * t46, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t88, 0.0), 0.0)
     t151 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t46 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t90, 0.0), 0.0)
     t152 = -(t151 + np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t135, 0.0), 0.0))
     t153 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t137, 0.0), 0.0), 0.0)
     t154 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t42 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t93, 0.0), 0.0)
     t155 = -(t154 + np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t140, 0.0), 0.0))
-    t156 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t90, 0.0), 0.0)
+    t156 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t90, 0.0), 0.0)
     t157 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t137, 0.0), 0.0), 0.0)
     t158 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t42 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t93, 0.0), 0.0)
     t159 = -(t158 + np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t140, 0.0), 0.0))
     t160 = -np.where(t126 != 0.0, np.where(t102 != 0.0, np.where(t126 != 0.0, t137 * t140, 0.0), 0.0), 0.0)
-    t161 = 1.0 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t93, 0.0), 0.0)
+    t161 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t93, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 49), _real)
@@ -702,7 +702,7 @@ def null_projector_position(q):
     null_projector[..., 29] = t147
     null_projector[..., 30] = t153
     null_projector[..., 31] = t157
-    null_projector[..., 32] = 1.0 - np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t102 != 0.0, np.where(t126 != 0.0, t137 * t137, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 32] = 1 - np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t102 != 0.0, np.where(t126 != 0.0, t137 * t137, 0.0), 0.0), 0.0), 0.0)
     null_projector[..., 33] = t160
     null_projector[..., 34] = 0.0
     null_projector[..., 35] = t141
@@ -718,5 +718,5 @@ def null_projector_position(q):
     null_projector[..., 45] = 0.0
     null_projector[..., 46] = 0.0
     null_projector[..., 47] = 0.0
-    null_projector[..., 48] = 1.0
+    null_projector[..., 48] = 1
     return null_projector.reshape(_leading + (7, 7))

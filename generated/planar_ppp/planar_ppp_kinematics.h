@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 4c45aa89a5277ec47303045972d656a93f0200eb9d4dc1d4f1cc9f2a1bbe49c8.
+ * Made from templates/kernel.h.j2; inputs 4969d0ab30dcb9b436ef42472c689985f7fd1ec9d7bae397a2f3d16f16bc6d9a.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4c45aa89a5277ec47303045972d656a93f0200eb9d4dc1d4f1cc9f2a1bbe49c8.
+Made from templates/kernel.py.j2; inputs 4969d0ab30dcb9b436ef42472c689985f7fd1ec9d7bae397a2f3d16f16bc6d9a.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -102,7 +102,7 @@ def pose(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -325,7 +325,7 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = t3
@@ -385,7 +385,7 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = t3

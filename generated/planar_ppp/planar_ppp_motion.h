@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 80953f552b1f54a44228083727e87786127997cb9012b0e5a4d27e0e2f73ed8e.
+ * Made from templates/kernel.h.j2; inputs 9d9bbbceaec6d992dff40a707caeeda61c246d5ab43c42e471cc1ee56cd08847.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 80953f552b1f54a44228083727e87786127997cb9012b0e5a4d27e0e2f73ed8e.
+Made from templates/kernel.py.j2; inputs 9d9bbbceaec6d992dff40a707caeeda61c246d5ab43c42e471cc1ee56cd08847.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -70,7 +70,7 @@ def tip_motion(q, parameters, rates, second, third):
     t13 = sin_heading1 * dddq1 + t4 * dddq2 + t7 * dddq3
     t14 = np.sqrt((t8 * t8 + t9 * t9))
     t15 = t8 * t11 - t9 * t10
-    t16 = 1.0 / t14
+    t16 = 1 / t14
     t17 = t16 * t16
     t18 = t8 * t13 - t9 * t12
     t19 = t17 * t17

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 5429d5cc64a4c26c3bf1ea18965f0a9619cd29480bad4d27464625ebefecf9eb.
+ * Made from templates/kernel.c.j2; inputs ef5b700afda7b7d26aba4e59ca97afa71cae571082a4887a8624551d413073c7.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "5429d5cc64a4c26c3bf1ea18965f0a9619cd29480bad4d27464625ebefecf9eb";
+const char planar_ppp_speed_ratio_digest[] = "ef5b700afda7b7d26aba4e59ca97afa71cae571082a4887a8624551d413073c7";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 5429d5cc64a4c26c3bf1ea18965f0a9619cd29480bad4d27464625ebefecf9eb.
+ * Made from templates/kernel.h.j2; inputs ef5b700afda7b7d26aba4e59ca97afa71cae571082a4887a8624551d413073c7.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5429d5cc64a4c26c3bf1ea18965f0a9619cd29480bad4d27464625ebefecf9eb.
+Made from templates/kernel.py.j2; inputs ef5b700afda7b7d26aba4e59ca97afa71cae571082a4887a8624551d413073c7.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -67,12 +67,12 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t17 = t3 * t14 + t9 * t16
     t18 = t6 * t14 + t11 * t16
     t19 = t8 * t8 + t15 * t15
-    t20 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
-    t21 = 1.0 - t20
+    t20 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t7, 1))
+    t21 = 1 - t20
     t22 = t9 * t21 + t11 * t20
     t23 = t3 * t21 + t6 * t20
-    t24 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t23), 1.0))
-    t25 = t24 / (1.0 - t24 - t23 * t24)
+    t24 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign((-t23), 1))
+    t25 = t24 / (1 - t24 - t23 * t24)
     t26 = t9 * t20 + t11 * t21 + t22 * (t25 * (t3 * t20 + t6 * t21))
     t27 = t15 + t22 * (t8 * t25)
 
@@ -177,12 +177,12 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t17 = t8 * t13 + t14 * t16
     t18 = t6 * (t8 + t8) + t11 * (t16 + t16)
     t19 = t8 * t8 + t16 * t16
-    t20 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
-    t21 = 1.0 - t20
+    t20 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t7, 1))
+    t21 = 1 - t20
     t22 = t9 * t21 + t11 * t20
     t23 = t1 * t21 + t6 * t20
-    t24 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t23), 1.0))
-    t25 = t24 / (1.0 - t24 - t23 * t24)
+    t24 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign((-t23), 1))
+    t25 = t24 / (1 - t24 - t23 * t24)
     t26 = t9 * t20 + t11 * t21 + t22 * (t25 * (t1 * t20 + t6 * t21))
     t27 = t16 + t22 * (t8 * t25)
 
@@ -287,12 +287,12 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t17 = t8 * t13 + t14 * t16
     t18 = t8 * (t4 + t4) + t16 * (t11 + t11)
     t19 = t8 * t8 + t16 * t16
-    t20 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t5, 1.0))
-    t21 = 1.0 - t20
+    t20 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t5, 1))
+    t21 = 1 - t20
     t22 = t9 * t21 + t11 * t20
     t23 = t1 * t21 + t4 * t20
-    t24 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t23), 1.0))
-    t25 = t24 / (1.0 - t24 - t23 * t24)
+    t24 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign((-t23), 1))
+    t25 = t24 / (1 - t24 - t23 * t24)
     t26 = t9 * t20 + t11 * t21 + t22 * (t25 * (t1 * t20 + t4 * t21))
     t27 = t16 + t22 * (t8 * t25)
 
@@ -393,13 +393,13 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t2 = l2 + q2
     t3 = l3 + q3
     t4 = np.sqrt((t1 * t1 + t2 * t2 + t3 * t3))
-    t5 = t4 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t4, 1.0)))
+    t5 = t4 + (0.5 + 0.5 * np.copysign(1, 7.888609052210118e-31 - np.copysign(t4, 1)))
     t6 = 2.4613922385709617e-14 * t5
     t7 = t5 + t5
     t8 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
     t9 = cos_heading1 * cos_heading2 - sin_heading2 * sin_heading1
     t10 = cos_heading3 * t8 + t9 * sin_heading3
-    t11 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t11 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t12 = tx / t11
     t13 = ty / t11
     t14 = np.sqrt((t12 * t12 + t13 * t13))
@@ -421,8 +421,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t30 = t29 * t29
     t31 = np.sqrt((t23 / t24 + t28 / t24 + t30 / t24))
     t32 = t5 * t24
-    t33 = 0.5 - 0.5 * np.copysign(1.0, t6 * t7 - np.copysign((t31 * t32), 1.0))
-    t34 = 1.0 - t33
+    t33 = 0.5 - 0.5 * np.copysign(1, t6 * t7 - np.copysign((t31 * t32), 1))
+    t34 = 1 - t33
     t35 = t33 / (t34 + t33 * np.sqrt((t30 + (t23 + t28))))
     t36 = t29 * t35
     t37 = t27 * t35
@@ -434,15 +434,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t43 = np.sqrt(t42)
     t44 = t31 * t35
     t45 = t6 * t33 / t32 * (t7 * t7) / (t34 + t31 * t33)
-    t46 = 0.5 - 0.5 * np.copysign(1.0, (t43 + t43) * t44 * t45)
+    t46 = 0.5 - 0.5 * np.copysign(1, (t43 + t43) * t44 * t45)
     t47 = t45 * (t44 * t44)
-    t48 = 0.5 - 0.5 * np.copysign(1.0, t47)
-    t49 = 1.0 - t48
+    t48 = 0.5 - 0.5 * np.copysign(1, t47)
+    t49 = 1 - t48
     t50 = t46 * t49
-    t51 = np.copysign((-kappa), 1.0)
-    t52 = t48 * (0.5 - 0.5 * np.copysign(1.0, 4.0 * t47 * t51))
-    t53 = 1.0 - t52
-    t54 = kappa * t50 / (1.0 - t50) * t53 - kappa * t52 / t53
+    t51 = np.copysign((-kappa), 1)
+    t52 = t48 * (0.5 - 0.5 * np.copysign(1, 4 * t47 * t51))
+    t53 = 1 - t52
+    t54 = kappa * t50 / (1 - t50) * t53 - kappa * t52 / t53
     t55 = t33 * (t38 + t39 * t54)
     t56 = t33 * (t40 + t37 * t54)
     t57 = t33 * (t41 + t36 * t54)
@@ -450,21 +450,21 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t59 = t38 * t58
     t60 = t40 * t58
     t61 = t41 * t58
-    t62 = np.maximum(np.maximum(np.copysign((t55 / t5), 1.0), np.copysign((t56 / t5), 1.0)), np.copysign((t57 / t5), 1.0))
+    t62 = np.maximum(np.maximum(np.copysign((t55 / t5), 1), np.copysign((t56 / t5), 1)), np.copysign((t57 / t5), 1))
     t63 = t5 * leads1 + t5 * leads2 + t5 * leads3
     t64 = t55 * leads1 + t56 * leads2 + t57 * leads3
-    t65 = 0.5 - 0.5 * np.copysign(1.0, 9.094947017729282e-13 * t62 * t63 - np.copysign(t64, 1.0))
-    t66 = 1.0 - t65
+    t65 = 0.5 - 0.5 * np.copysign(1, 9.094947017729282e-13 * t62 * t63 - np.copysign(t64, 1))
+    t66 = 1 - t65
     t67 = t65 / (t66 + t64 * t65)
-    t68 = 1.0 - leads1
-    t69 = 1.0 - leads3
-    t70 = np.maximum(np.maximum(np.copysign((t59 / t5), 1.0), np.copysign((t60 / t5), 1.0)), np.copysign((t61 / t5), 1.0))
+    t68 = 1 - leads1
+    t69 = 1 - leads3
+    t70 = np.maximum(np.maximum(np.copysign((t59 / t5), 1), np.copysign((t60 / t5), 1)), np.copysign((t61 / t5), 1))
     t71 = t59 * leads1 + t60 * leads2 + t61 * leads3
-    t72 = 0.5 - 0.5 * np.copysign(1.0, t63 * (9.094947017729282e-13 * t70) - np.copysign(t71, 1.0))
-    t73 = 1.0 - t72
+    t72 = 0.5 - 0.5 * np.copysign(1, t63 * (9.094947017729282e-13 * t70) - np.copysign(t71, 1))
+    t73 = 1 - t72
     t74 = t72 / (t73 + t71 * t72)
-    t75 = 4.0 + t33 * (t48 * t52 + t49 * (2.0 + t46)) - 4.0 * t33
-    t76 = t49 * (1.0 - t46) * (0.5 + 0.5 * np.copysign(1.0, t42 * t45 - t51))
+    t75 = 4 + t33 * (t48 * t52 + t49 * (2 + t46)) - 4 * t33
+    t76 = t49 * (1 - t46) * (0.5 + 0.5 * np.copysign(1, t42 * t45 - t51))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -491,7 +491,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = 0.0
     tracked_rate[..., 1] = 0.0
     verdict[..., 0] = t75
-    verdict[..., 1] = t33 * (1.0 + t52)
+    verdict[..., 1] = t33 * (1 + t52)
     verdict[..., 2] = 0.0
     verdict[..., 3] = t33 * (t50 + t48 * t53 + t76)
     verdict[..., 4] = t58 * t73 + t33 * t66

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3.
+ * Made from templates/kernel.c.j2; inputs d4197673183f3086ff5576a1d754ffc448a18eca502fe319afa686ff98b63f9e.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3";
+const char planar_ppr_kinematics_digest[] = "d4197673183f3086ff5576a1d754ffc448a18eca502fe319afa686ff98b63f9e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3.
+ * Made from templates/kernel.h.j2; inputs d4197673183f3086ff5576a1d754ffc448a18eca502fe319afa686ff98b63f9e.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1a519157ad79f3f12542f36d6ef4f51739aec470ad0b3603262aed88e346dca3.
+Made from templates/kernel.py.j2; inputs d4197673183f3086ff5576a1d754ffc448a18eca502fe319afa686ff98b63f9e.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -98,7 +98,7 @@ def pose(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t4 * l3
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -176,7 +176,7 @@ def jacobian_x_alpha(q, parameters):
     jacobian[..., 2] = -t2
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 0.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 5] = 1
     return jacobian.reshape(_leading + (2, 3))
 
 
@@ -218,7 +218,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 5] = l3 * (t1 * c3 - t2 * s3)
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 0.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 8] = 1
     return jacobian.reshape(_leading + (3, 3))
 
 
@@ -322,13 +322,13 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = -t7
     jacobian[..., 3] = 0.0
     jacobian[..., 4] = 0.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 5] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
@@ -382,7 +382,7 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * t6 + t8
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = t1
     jacobian[..., 2] = -t8
@@ -391,5 +391,5 @@ def kinematics_pose(q, parameters):
     jacobian[..., 5] = t7
     jacobian[..., 6] = 0.0
     jacobian[..., 7] = 0.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 8] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

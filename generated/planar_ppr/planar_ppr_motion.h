@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 633781c48ad77f2b652febd41f84ee6a802bf11c39a13575108583773fd9854f.
+ * Made from templates/kernel.h.j2; inputs 7d7fbcd170d226aedb712d5c5d70b1afe247b3a3f514cb0e485a980d83a2a525.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 633781c48ad77f2b652febd41f84ee6a802bf11c39a13575108583773fd9854f.
+Made from templates/kernel.py.j2; inputs 7d7fbcd170d226aedb712d5c5d70b1afe247b3a3f514cb0e485a980d83a2a525.
 194 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -68,18 +68,18 @@ def tip_motion(q, parameters, rates, second, third):
     t12 = l3 * ddq3
     t13 = cos_heading1 * ddq1 + t2 * ddq2 - t5 * t11 - t6 * t12
     t14 = sin_heading1 * ddq1 + t4 * ddq2 + t5 * t12 - t6 * t11
-    t15 = l3 * (dq3 * (-3.0 * ddq3))
+    t15 = l3 * (dq3 * (-3 * ddq3))
     t16 = dq3 * t10
     t17 = l3 * dddq3 - l3 * t16
     t18 = cos_heading1 * dddq1 + t2 * dddq2 + t5 * t15 - t6 * t17
     t19 = sin_heading1 * dddq1 + t4 * dddq2 + t5 * t17 + t6 * t15
-    t20 = l3 * (dq3 * t16) - 3.0 * l3 * (ddq3 * ddq3) - l3 * (dq3 * (4.0 * dddq3))
-    t21 = t10 * (l3 * (-6.0 * ddq3))
+    t20 = l3 * (dq3 * t16) - 3 * l3 * (ddq3 * ddq3) - l3 * (dq3 * (4 * dddq3))
+    t21 = t10 * (l3 * (-6 * ddq3))
     t22 = t5 * t20 - t6 * t21
     t23 = t5 * t21 + t6 * t20
     t24 = np.sqrt((t8 * t8 + t9 * t9))
     t25 = t8 * t14 - t9 * t13
-    t26 = 1.0 / t24
+    t26 = 1 / t24
     t27 = t26 * t26
     t28 = t8 * t19 - t9 * t18
     t29 = t27 * t27

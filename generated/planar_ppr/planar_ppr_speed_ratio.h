@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs d5a8936c415265e763f3e70a9d3fd0f86295b2b3725e0b92cf83dbc60c5af53a.
+ * Made from templates/kernel.h.j2; inputs 68928c7d70379ceb48246a9f360a532e6bb90799b3ec0cdc390f096d35c0bbb4.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

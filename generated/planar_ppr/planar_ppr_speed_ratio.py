@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d5a8936c415265e763f3e70a9d3fd0f86295b2b3725e0b92cf83dbc60c5af53a.
+Made from templates/kernel.py.j2; inputs 68928c7d70379ceb48246a9f360a532e6bb90799b3ec0cdc390f096d35c0bbb4.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -78,13 +78,13 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t23 = l1 + q1
     t24 = l2 + q2
     t25 = 1.4210854715202004e-14 * np.sqrt((t23 * t23 + t24 * t24 + l3 * l3))
-    t26 = 0.5 - 0.5 * np.copysign(1.0, t25 - np.copysign(t9, 1.0))
-    t27 = 1.0 - t26
+    t26 = 0.5 - 0.5 * np.copysign(1, t25 - np.copysign(t9, 1))
+    t27 = 1 - t26
     t28 = t11 * t27 + t14 * t26
     t29 = t3 * t27 + t8 * t26
-    t30 = 1.4210854715202004e-14 + t25 * t26 - 1.4210854715202004e-14 * t26 - np.copysign((-t29), 1.0)
-    t31 = 0.5 - 0.5 * np.copysign(1.0, t30)
-    t32 = t31 / (1.0 - t31 - t29 * t31)
+    t30 = 1.4210854715202004e-14 + t25 * t26 - 1.4210854715202004e-14 * t26 - np.copysign((-t29), 1)
+    t31 = 0.5 - 0.5 * np.copysign(1, t30)
+    t32 = t31 / (1 - t31 - t29 * t31)
     t33 = t32 * (t3 * t26 + t8 * t27)
     t34 = t11 * t26 + t14 * t27 + t28 * t33
     t35 = t34 * t34
@@ -96,8 +96,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t41 = t13 * t27 + t40 * (t33 * t33)
     t42 = t33 * (t36 * (t40 + t40))
     t43 = t40 * (t36 * t36)
-    t44 = t42 * (t38 + t38) - t43 * (4.0 * t35) - t41 * (4.0 * t39)
-    t45 = t42 * t42 - t43 * (4.0 * t41)
+    t44 = t42 * (t38 + t38) - t43 * (4 * t35) - t41 * (4 * t39)
+    t45 = t42 * t42 - t43 * (4 * t41)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -211,13 +211,13 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t23 = l1 + q1
     t24 = l2 + q2
     t25 = 1.4210854715202004e-14 * np.sqrt((t23 * t23 + t24 * t24 + l3 * l3))
-    t26 = 0.5 - 0.5 * np.copysign(1.0, t25 - np.copysign(t9, 1.0))
-    t27 = 1.0 - t26
+    t26 = 0.5 - 0.5 * np.copysign(1, t25 - np.copysign(t9, 1))
+    t27 = 1 - t26
     t28 = t11 * t27 + t14 * t26
     t29 = t1 * t27 + t8 * t26
-    t30 = 1.4210854715202004e-14 + t25 * t26 - 1.4210854715202004e-14 * t26 - np.copysign((-t29), 1.0)
-    t31 = 0.5 - 0.5 * np.copysign(1.0, t30)
-    t32 = t31 / (1.0 - t31 - t29 * t31)
+    t30 = 1.4210854715202004e-14 + t25 * t26 - 1.4210854715202004e-14 * t26 - np.copysign((-t29), 1)
+    t31 = 0.5 - 0.5 * np.copysign(1, t30)
+    t32 = t31 / (1 - t31 - t29 * t31)
     t33 = t32 * (t1 * t26 + t8 * t27)
     t34 = t11 * t26 + t14 * t27 + t28 * t33
     t35 = t34 * t34
@@ -229,8 +229,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t41 = t13 * t27 + t40 * (t33 * t33)
     t42 = t33 * (t36 * (t40 + t40))
     t43 = t40 * (t36 * t36)
-    t44 = t42 * (t38 + t38) - t43 * (4.0 * t35) - t41 * (4.0 * t39)
-    t45 = t42 * t42 - t43 * (4.0 * t41)
+    t44 = t42 * (t38 + t38) - t43 * (4 * t35) - t41 * (4 * t39)
+    t45 = t42 * t42 - t43 * (4 * t41)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -337,16 +337,16 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t20 = t10 * (t4 + t4) + t18 * (t13 + t13)
     t21 = l3 * (tx * t8 - ty * t6)
     t22 = t10 * t10 + t18 * t18
-    t23 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t5, 1.0))
-    t24 = 1.0 - t23
+    t23 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t5, 1))
+    t24 = 1 - t23
     t25 = t11 * t24 + t13 * t23
     t26 = t1 * t24 + t4 * t23
-    t27 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t26), 1.0))
-    t28 = t27 / (1.0 - t27 - t26 * t27)
+    t27 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign((-t26), 1))
+    t28 = t27 / (1 - t27 - t26 * t27)
     t29 = t11 * t23 + t13 * t24 + t25 * (t28 * (t1 * t23 + t4 * t24))
     t30 = t29 * t29
     t31 = t18 + t25 * (t10 * t28)
-    t32 = t30 * (-4.0 * t21)
+    t32 = t30 * (-4 * t21)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -445,7 +445,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t2 = cos_heading1 * sin_heading2 + cos_heading2 * sin_heading1
     t3 = c3 * t1 - t2 * s3
     t4 = t3 * l3
-    t5 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t5 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t6 = tx / t5
     t7 = ty / t5
     t8 = np.sqrt((t6 * t6 + t7 * t7))
@@ -458,7 +458,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t15 = l1 + q1
     t16 = l2 + q2
     t17 = np.sqrt((t15 * t15 + t16 * t16 + l3 * l3))
-    t18 = t17 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t17, 1.0)))
+    t18 = t17 + (0.5 + 0.5 * np.copysign(1, 7.888609052210118e-31 - np.copysign(t17, 1)))
     t19 = t18 * t18
     t20 = 1.4210854715202004e-14 * np.sqrt((t13 * t13 + t14 * t14 + (t19 + t19)))
     t21 = 1.7320508075688772 * t18
@@ -473,8 +473,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t30 = t14 * t24 - t13 * t23
     t31 = t30 * t30
     t32 = np.sqrt((t27 + t29 / t19 + t31 / t19))
-    t33 = 0.5 - 0.5 * np.copysign(1.0, t20 * t21 - np.copysign((t19 * t32), 1.0))
-    t34 = 1.0 - t33
+    t33 = 0.5 - 0.5 * np.copysign(1, t20 * t21 - np.copysign((t19 * t32), 1))
+    t34 = 1 - t33
     t35 = t33 / (t34 + t33 * np.sqrt((t27 + (t29 + t31))))
     t36 = t26 * t35
     t37 = t30 * t35
@@ -487,29 +487,29 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t44 = l3 * t43
     t45 = t44 * (t36 * t36)
     t46 = -t45
-    t47 = np.copysign(t46, 1.0)
-    t48 = 0.5 - 0.5 * np.copysign(1.0, t42 - t47)
+    t47 = np.copysign(t46, 1)
+    t48 = 0.5 - 0.5 * np.copysign(1, t42 - t47)
     t49 = t35 * (t24 * t37 - t22 * t39)
     t50 = t49 * t49
     t51 = t35 * (t13 * t39 - t24 * t36)
     t52 = t50 + t38 * t38 / t19 + t51 * t51 / t19
     t53 = np.sqrt(t52)
     t54 = t40 * (t41 * (t53 + t53))
-    t55 = t36 * (t49 * (l3 * (-2.0 * t43)))
-    t56 = np.copysign(t55, 1.0)
+    t55 = t36 * (t49 * (l3 * (-2 * t43)))
+    t56 = np.copysign(t55, 1)
     t57 = t40 * t52
     t58 = t44 * t50
     t59 = t58 + kappa
-    t60 = np.copysign((-t59), 1.0)
-    t61 = (t54 + t54) * t56 + t47 * (4.0 * t57) + 4.0 * t42 * t60
-    t62 = t55 * t55 - t45 * (4.0 * t59)
+    t60 = np.copysign((-t59), 1)
+    t61 = (t54 + t54) * t56 + t47 * (4 * t57) + 4 * t42 * t60
+    t62 = t55 * t55 - t45 * (4 * t59)
     t63 = np.maximum(0.0, t62)
-    t64 = t48 * (0.5 - 0.5 * np.copysign(1.0, t61 - np.copysign(t63, 1.0)))
-    t65 = 1.0 - t64
-    t66 = 0.5 - 0.5 * np.copysign(1.0, t54 - t56)
-    t67 = 1.0 - t48
+    t64 = t48 * (0.5 - 0.5 * np.copysign(1, t61 - np.copysign(t63, 1)))
+    t65 = 1 - t64
+    t66 = 0.5 - 0.5 * np.copysign(1, t54 - t56)
+    t67 = 1 - t48
     t68 = t66 * t67
-    t69 = t59 * t68 / (1.0 - t68 + t55 * t68) - t48 * t55 / (t67 - t45 * (t48 + t48))
+    t69 = t59 * t68 / (1 - t68 + t55 * t68) - t48 * t55 / (t67 - t45 * (t48 + t48))
     t70 = t64 * (-0.5 * t55 - 0.5 * np.copysign(np.sqrt(t63), t55))
     t71 = t65 * t69 - t59 * t64 / (t65 + t70)
     t72 = t33 * (t38 + t39 * t71)
@@ -520,33 +520,33 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t77 = t75 * (t38 + t39 * t76)
     t78 = t75 * (t51 + t37 * t76)
     t79 = t75 * (t49 + t36 * t76)
-    t80 = np.maximum(np.maximum(np.copysign(t74, 1.0), np.copysign((t72 / t18), 1.0)), np.copysign((t73 / t18), 1.0))
+    t80 = np.maximum(np.maximum(np.copysign(t74, 1), np.copysign((t72 / t18), 1)), np.copysign((t73 / t18), 1))
     t81 = leads3 + t18 * leads1 + t18 * leads2
     t82 = t72 * leads1 + t73 * leads2 + t74 * leads3
-    t83 = 0.5 - 0.5 * np.copysign(1.0, 9.094947017729282e-13 * t80 * t81 - np.copysign(t82, 1.0))
-    t84 = 1.0 - t83
+    t83 = 0.5 - 0.5 * np.copysign(1, 9.094947017729282e-13 * t80 * t81 - np.copysign(t82, 1))
+    t84 = 1 - t83
     t85 = t83 / (t84 + t82 * t83)
-    t86 = 1.0 - leads1
-    t87 = 1.0 - leads3
-    t88 = np.maximum(np.maximum(np.copysign(t79, 1.0), np.copysign((t77 / t18), 1.0)), np.copysign((t78 / t18), 1.0))
+    t86 = 1 - leads1
+    t87 = 1 - leads3
+    t88 = np.maximum(np.maximum(np.copysign(t79, 1), np.copysign((t77 / t18), 1)), np.copysign((t78 / t18), 1))
     t89 = t77 * leads1 + t78 * leads2 + t79 * leads3
-    t90 = 0.5 - 0.5 * np.copysign(1.0, t81 * (9.094947017729282e-13 * t88) - np.copysign(t89, 1.0))
-    t91 = 1.0 - t90
+    t90 = 0.5 - 0.5 * np.copysign(1, t81 * (9.094947017729282e-13 * t88) - np.copysign(t89, 1))
+    t91 = 1 - t90
     t92 = t90 / (t91 + t89 * t90)
     t93 = t74 * t74
     t94 = t44 * t93
     t95 = t79 * t79
     t96 = t44 * t95
     t97 = t3 * t9 + t10 * t12
-    t98 = 3.0 * t97
+    t98 = 3 * t97
     t99 = l3 * t97
     t100 = t93 * (l3 * (t94 * t98)) + t99 * (t74 * t93)
     t101 = t95 * (l3 * (t96 * t98)) + t99 * (t79 * t95)
-    t102 = 0.5 - 0.5 * np.copysign(1.0, t61 - np.copysign(np.maximum(0.0, -t62), 1.0))
+    t102 = 0.5 - 0.5 * np.copysign(1, t61 - np.copysign(np.maximum(0.0, -t62), 1))
     t103 = t48 * t102
-    t104 = 4.0 + t33 * (t48 * t103 + t67 * (2.0 + t66)) - 4.0 * t33
-    t105 = np.copysign((-(t101 + kappa_s)), 1.0) - np.copysign((-(t100 + kappa_s)), 1.0)
-    t106 = t67 * (1.0 - t66) * (0.5 + 0.5 * np.copysign(1.0, t57 - t60))
+    t104 = 4 + t33 * (t48 * t103 + t67 * (2 + t66)) - 4 * t33
+    t105 = np.copysign((-(t101 + kappa_s)), 1) - np.copysign((-(t100 + kappa_s)), 1)
+    t106 = t67 * (1 - t66) * (0.5 + 0.5 * np.copysign(1, t57 - t60))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -573,9 +573,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = -t100
     tracked_rate[..., 1] = -t101
     verdict[..., 0] = t104
-    verdict[..., 1] = t33 * (1.0 + t64)
-    verdict[..., 2] = t64 * (0.5 * t33) * (1.0 - np.copysign(1.0, t105))
-    verdict[..., 3] = t33 * (t68 + t48 * (1.0 - t103) + t106)
+    verdict[..., 1] = t33 * (1 + t64)
+    verdict[..., 2] = t64 * (0.5 * t33) * (1 - np.copysign(1, t105))
+    verdict[..., 3] = t33 * (t68 + t48 * (1 - t103) + t106)
     verdict[..., 4] = t75 * t91 + t33 * t84
     parabola[..., 0] = t46
     parabola[..., 1] = t55

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs e81c7936ab2fe83444890f5764ee0c3c5ba1dc4d7b881deb4fcf5e8c67d6d744.
+ * Made from templates/kernel.h.j2; inputs fb2a633082235b25ebe1c08378a7ddf64d4d7a264ac69649d84d644936d2271a.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e81c7936ab2fe83444890f5764ee0c3c5ba1dc4d7b881deb4fcf5e8c67d6d744.
+Made from templates/kernel.py.j2; inputs fb2a633082235b25ebe1c08378a7ddf64d4d7a264ac69649d84d644936d2271a.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -98,7 +98,7 @@ def pose(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * l2 + t4 * t6
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -191,7 +191,7 @@ def jacobian_x_alpha(q, parameters):
     jacobian[..., 1] = -(t4 - t1)
     jacobian[..., 2] = cos_heading3 * t3 - t2 * sin_heading3
     jacobian[..., 3] = 0.0
-    jacobian[..., 4] = 1.0
+    jacobian[..., 4] = 1
     jacobian[..., 5] = 0.0
     return jacobian.reshape(_leading + (2, 3))
 
@@ -243,7 +243,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 4] = t8 + l2 * t4 + t6 * t7 - t8
     jacobian[..., 5] = t5
     jacobian[..., 6] = 0.0
-    jacobian[..., 7] = 1.0
+    jacobian[..., 7] = 1
     jacobian[..., 8] = 0.0
     return jacobian.reshape(_leading + (3, 3))
 
@@ -353,12 +353,12 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = t8
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t8 - t7)
     jacobian[..., 2] = t3
     jacobian[..., 3] = 0.0
-    jacobian[..., 4] = 1.0
+    jacobian[..., 4] = 1
     jacobian[..., 5] = 0.0
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
@@ -415,7 +415,7 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = t10
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t10 - t9)
     jacobian[..., 2] = t3
@@ -423,6 +423,6 @@ def kinematics_pose(q, parameters):
     jacobian[..., 4] = t8 - t6
     jacobian[..., 5] = t4
     jacobian[..., 6] = 0.0
-    jacobian[..., 7] = 1.0
+    jacobian[..., 7] = 1
     jacobian[..., 8] = 0.0
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

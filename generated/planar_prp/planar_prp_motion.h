@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 027c71afc35fbdff947415eddf142c3f97d7c4da363addbb00bd7163f237dbb6.
+ * Made from templates/kernel.h.j2; inputs 1a4d34a517659eb89a25bc751f1f57d3bb8f8a81f242c0d2816d739c672dc053.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 027c71afc35fbdff947415eddf142c3f97d7c4da363addbb00bd7163f237dbb6.
+Made from templates/kernel.py.j2; inputs 1a4d34a517659eb89a25bc751f1f57d3bb8f8a81f242c0d2816d739c672dc053.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -73,31 +73,31 @@ def tip_motion(q, parameters, rates, second, third):
     t17 = t15 - t6 * t16
     t18 = sin_heading1 * ddq1 + t2 * t13 - t3 * t12 + t4 * t16
     t19 = t18 + t6 * t14
-    t20 = l2 * (dq2 * (-3.0 * ddq2))
+    t20 = l2 * (dq2 * (-3 * ddq2))
     t21 = dq2 * t11
     t22 = l2 * dddq2 - l2 * t21
-    t23 = 3.0 * t5
-    t24 = dddq3 - t11 * (3.0 * dq3) - dq2 * (ddq2 * t23)
+    t23 = 3 * t5
+    t24 = dddq3 - t11 * (3 * dq3) - dq2 * (ddq2 * t23)
     t25 = cos_heading1 * dddq1 + t2 * t20 - t3 * t22 + t4 * t24
-    t26 = t5 * dddq2 + dq3 * (3.0 * ddq2) + dq2 * (3.0 * ddq3)
+    t26 = t5 * dddq2 + dq3 * (3 * ddq2) + dq2 * (3 * ddq3)
     t27 = t26 - t5 * t21
     t28 = t25 - t6 * t27
     t29 = sin_heading1 * dddq1 + t2 * t22 + t3 * t20 + t4 * t27
     t30 = t29 + t6 * t24
     t31 = dq2 * t21
     t32 = ddq2 * ddq2
-    t33 = 4.0 * dddq2
-    t34 = l2 * t31 - 3.0 * l2 * t32 - l2 * (dq2 * t33)
-    t35 = t11 * (l2 * (-6.0 * ddq2))
-    t36 = t5 * t31 - t11 * (6.0 * ddq3) - t23 * t32 - dq3 * (dq2 * (12.0 * ddq2))
-    t37 = t36 - dq2 * (dddq2 * (4.0 * t5))
-    t38 = dq3 * t33 + dq2 * (4.0 * dddq3) + ddq3 * (6.0 * ddq2)
-    t39 = t38 - t21 * (4.0 * dq3) - t11 * (ddq2 * (6.0 * t5))
+    t33 = 4 * dddq2
+    t34 = l2 * t31 - 3 * l2 * t32 - l2 * (dq2 * t33)
+    t35 = t11 * (l2 * (-6 * ddq2))
+    t36 = t5 * t31 - t11 * (6 * ddq3) - t23 * t32 - dq3 * (dq2 * (12 * ddq2))
+    t37 = t36 - dq2 * (dddq2 * (4 * t5))
+    t38 = dq3 * t33 + dq2 * (4 * dddq3) + ddq3 * (6 * ddq2)
+    t39 = t38 - t21 * (4 * dq3) - t11 * (ddq2 * (6 * t5))
     t40 = t2 * t34 - t3 * t35 + t4 * t37 - t6 * t39
     t41 = t2 * t35 + t3 * t34 + t4 * t39 + t6 * t37
     t42 = np.sqrt((t9 * t9 + t10 * t10))
     t43 = t9 * t19 - t10 * t17
-    t44 = 1.0 / t42
+    t44 = 1 / t42
     t45 = t44 * t44
     t46 = t9 * t30 - t10 * t28
     t47 = t45 * t45

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs 87eeb431fbb8446d9e19b787214611bcc79b728d3538ee5ad39db41ab6728b6a.
+ * Made from templates/kernel.c.j2; inputs 30aa150b465be096128160fceee5f2ee89cf101718af4af4f0204601df3bc5a7.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "87eeb431fbb8446d9e19b787214611bcc79b728d3538ee5ad39db41ab6728b6a";
+const char planar_prp_speed_ratio_digest[] = "30aa150b465be096128160fceee5f2ee89cf101718af4af4f0204601df3bc5a7";
 #endif
 
 #define LANES 64

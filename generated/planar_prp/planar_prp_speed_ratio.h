@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs 87eeb431fbb8446d9e19b787214611bcc79b728d3538ee5ad39db41ab6728b6a.
+ * Made from templates/kernel.h.j2; inputs 30aa150b465be096128160fceee5f2ee89cf101718af4af4f0204601df3bc5a7.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 87eeb431fbb8446d9e19b787214611bcc79b728d3538ee5ad39db41ab6728b6a.
+Made from templates/kernel.py.j2; inputs 30aa150b465be096128160fceee5f2ee89cf101718af4af4f0204601df3bc5a7.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -72,7 +72,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t17 = t11 * t11 + t16 * t16
     t18 = t5 * tx + t9 * ty
     t19 = t12 * t12 + t18 * t18
-    t20 = -2.0 * t18
+    t20 = -2 * t18
     t21 = t12 * (t11 + t11) + t18 * (t16 + t16)
     t22 = t14 + t14
     t23 = cos_heading1 * tx + sin_heading1 * ty
@@ -80,14 +80,14 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t25 = t11 * t22 + t16 * t24
     t26 = t12 * t22 + t18 * t24
     t27 = t14 * t14 + t23 * t23
-    t28 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t13, 1.0))
-    t29 = 1.0 - t28
+    t28 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t13, 1))
+    t29 = 1 - t28
     t30 = t16 * t29 + t18 * t28
     t31 = 1.4210854715202004e-14 * np.sqrt((t1 * t1 + t6 * t6 + l2 * l2))
     t32 = t11 * t29 + t12 * t28
-    t33 = np.copysign(1.0, 1.4210854715202004e-14 * t28 + t29 * t31 - np.copysign((-t32), 1.0))
+    t33 = np.copysign(1, 1.4210854715202004e-14 * t28 + t29 * t31 - np.copysign((-t32), 1))
     t34 = 0.5 - 0.5 * t33
-    t35 = t34 / (1.0 - t34 - t32 * t34)
+    t35 = t34 / (1 - t34 - t32 * t34)
     t36 = t35 * (t11 * t28 + t12 * t29)
     t37 = t16 * t28 + t18 * t29 + t30 * t36
     t38 = t37 * t37
@@ -99,8 +99,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t44 = t15 * t28 + t43 * (t36 * t36) + t20 * t36
     t45 = t36 * (t39 * (t43 + t43)) + t20 * t39
     t46 = t43 * (t39 * t39)
-    t47 = t45 * (t41 + t41) - t46 * (4.0 * t38) - t44 * (4.0 * t42)
-    t48 = t45 * t45 - t46 * (4.0 * t44)
+    t47 = t45 * (t41 + t41) - t46 * (4 * t38) - t44 * (4 * t42)
+    t48 = t45 * t45 - t46 * (4 * t44)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -212,16 +212,16 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t21 = t6 * t19 + t17 * t20
     t22 = ty * t11 - tx * t13
     t23 = t14 * t19 + t20 * t22
-    t24 = -2.0 * t17
+    t24 = -2 * t17
     t25 = t6 * (t14 + t14) + t17 * (t22 + t22)
     t26 = t6 * t10 + l2 * (tx * t2 - ty * t3)
     t27 = t14 * t14 + t22 * t22
-    t28 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
-    t29 = 1.0 - t28
+    t28 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t7, 1))
+    t29 = 1 - t28
     t30 = t15 * t29 + t17 * t28
     t31 = t1 * t29 + t6 * t28
-    t32 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t31), 1.0))
-    t33 = t32 / (1.0 - t32 - t31 * t32)
+    t32 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign((-t31), 1))
+    t33 = t32 / (1 - t32 - t31 * t32)
     t34 = t33 * (t1 * t28 + t6 * t29)
     t35 = t15 * t28 + t17 * t29 + t30 * t34
     t36 = t35 * t35
@@ -231,7 +231,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t40 = t24 * t28
     t41 = t24 * t29 + t34 * t40
     t42 = t26 + t37 * t40
-    t43 = t41 * (t39 + t39) - t42 * (4.0 * t36)
+    t43 = t41 * (t39 + t39) - t42 * (4 * t36)
     t44 = t41 * t41
 
     # results
@@ -345,17 +345,17 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t22 = t12 * t20 + t18 * t21
     t23 = tx * t6 + ty * t10
     t24 = t14 * t20 + t21 * t23
-    t25 = -2.0 * t23
+    t25 = -2 * t23
     t26 = t14 * (t12 + t12) + t23 * (t18 + t18)
     t27 = t14 * t14 + t23 * t23
     t28 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + t7 * t7 + l2 * l2))
-    t29 = 0.5 - 0.5 * np.copysign(1.0, t28 - np.copysign(t13, 1.0))
-    t30 = 1.0 - t29
+    t29 = 0.5 - 0.5 * np.copysign(1, t28 - np.copysign(t13, 1))
+    t30 = 1 - t29
     t31 = t15 * t30 + t18 * t29
     t32 = t1 * t30 + t12 * t29
-    t33 = 1.4210854715202004e-14 + t28 * t29 - 1.4210854715202004e-14 * t29 - np.copysign((-t32), 1.0)
-    t34 = 0.5 - 0.5 * np.copysign(1.0, t33)
-    t35 = t34 / (1.0 - t34 - t32 * t34)
+    t33 = 1.4210854715202004e-14 + t28 * t29 - 1.4210854715202004e-14 * t29 - np.copysign((-t32), 1)
+    t34 = 0.5 - 0.5 * np.copysign(1, t33)
+    t35 = t34 / (1 - t34 - t32 * t34)
     t36 = t35 * (t1 * t29 + t12 * t30)
     t37 = t15 * t29 + t18 * t30 + t31 * t36
     t38 = t37 * t37
@@ -368,8 +368,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t45 = t25 * t29
     t46 = t25 * t30 + t36 * (t39 * (t43 + t43)) + t36 * t45
     t47 = t43 * (t39 * t39) + t39 * t45
-    t48 = t46 * (t41 + t41) - t47 * (4.0 * t38) - t44 * (4.0 * t42)
-    t49 = t46 * t46 - t47 * (4.0 * t44)
+    t48 = t46 * (t41 + t41) - t47 * (4 * t38) - t44 * (4 * t42)
+    t49 = t46 * t46 - t47 * (4 * t44)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -471,7 +471,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t5 = t3 * cos_heading3 - t4 * sin_heading3
     t6 = l3 + q3
     t7 = t2 + t3 * l2 + t5 * t6 - t2
-    t8 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t8 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t9 = tx / t8
     t10 = ty / t8
     t11 = np.sqrt((t9 * t9 + t10 * t10))
@@ -483,7 +483,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t17 = t7 * t12 + t15 * t16
     t18 = t7 * t16 - t12 * t15
     t19 = np.sqrt((t1 * t1 + t6 * t6 + l2 * l2))
-    t20 = t19 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t19, 1.0)))
+    t20 = t19 + (0.5 + 0.5 * np.copysign(1, 7.888609052210118e-31 - np.copysign(t19, 1)))
     t21 = t20 * t20
     t22 = 1.4210854715202004e-14 * np.sqrt((t17 * t17 + t18 * t18 + (t21 + t21)))
     t23 = 1.7320508075688772 * t20
@@ -498,8 +498,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t32 = t17 * t27 - t18 * t24
     t33 = t32 * t32
     t34 = np.sqrt((t29 + t31 / t21 + t33 / t21))
-    t35 = 0.5 - 0.5 * np.copysign(1.0, t22 * t23 - np.copysign((t21 * t34), 1.0))
-    t36 = 1.0 - t35
+    t35 = 0.5 - 0.5 * np.copysign(1, t22 * t23 - np.copysign((t21 * t34), 1))
+    t36 = 1 - t35
     t37 = t35 / (t36 + t35 * np.sqrt((t33 + (t29 + t31))))
     t38 = t32 * t37
     t39 = t28 * t37
@@ -519,27 +519,27 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t53 = t51 * (t52 * t52)
     t54 = t39 * t39
     t55 = t38 * (t39 * t42) - t45 * t54 - t48 * t54
-    t56 = np.copysign(t55, 1.0)
-    t57 = 0.5 - 0.5 * np.copysign(1.0, t53 - t56)
+    t56 = np.copysign(t55, 1)
+    t57 = 0.5 - 0.5 * np.copysign(1, t53 - t56)
     t58 = t46 + t40 * t40 / t21 + t44 * t44 / t21
     t59 = np.sqrt(t58)
     t60 = t51 * (t52 * (t59 + t59))
     t61 = t26 + t26
     t62 = t42 * (t38 * t43 + t39 * t44) - t39 * (t43 * (t6 * t61))
     t63 = t62 - t39 * (t43 * (l2 * (t47 + t47)))
-    t64 = np.copysign(t63, 1.0)
+    t64 = np.copysign(t63, 1)
     t65 = t51 * t58
-    t66 = np.copysign(t50, 1.0)
-    t67 = (t60 + t60) * t64 + t56 * (4.0 * t65) + 4.0 * t53 * t66
-    t68 = t63 * t63 - t55 * (4.0 * t50)
+    t66 = np.copysign(t50, 1)
+    t67 = (t60 + t60) * t64 + t56 * (4 * t65) + 4 * t53 * t66
+    t68 = t63 * t63 - t55 * (4 * t50)
     t69 = np.maximum(0.0, t68)
-    t70 = t57 * (0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(t69, 1.0)))
-    t71 = 1.0 - t70
+    t70 = t57 * (0.5 - 0.5 * np.copysign(1, t67 - np.copysign(t69, 1)))
+    t71 = 1 - t70
     t72 = t70 * (-0.5 * t63 - 0.5 * np.copysign(np.sqrt(t69), t63))
-    t73 = 1.0 - t57
-    t74 = 0.5 - 0.5 * np.copysign(1.0, t60 - t64)
+    t73 = 1 - t57
+    t74 = 0.5 - 0.5 * np.copysign(1, t60 - t64)
     t75 = t73 * t74
-    t76 = t57 * t63 / (t73 + t55 * (t57 + t57)) + t50 * t75 / (1.0 - t75 + t63 * t75)
+    t76 = t57 * t63 / (t73 + t55 * (t57 + t57)) + t50 * t75 / (1 - t75 + t63 * t75)
     t77 = t50 * t70 / (t71 + t72) - t71 * t76
     t78 = t35 * (t40 + t41 * t77)
     t79 = t35 * (t43 + t39 * t77)
@@ -549,18 +549,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t83 = t81 * (t40 + t41 * t82)
     t84 = t81 * (t43 + t39 * t82)
     t85 = t81 * (t44 + t38 * t82)
-    t86 = np.maximum(np.maximum(np.copysign(t79, 1.0), np.copysign((t78 / t20), 1.0)), np.copysign((t80 / t20), 1.0))
+    t86 = np.maximum(np.maximum(np.copysign(t79, 1), np.copysign((t78 / t20), 1)), np.copysign((t80 / t20), 1))
     t87 = leads2 + t20 * leads1 + t20 * leads3
     t88 = t78 * leads1 + t79 * leads2 + t80 * leads3
-    t89 = 0.5 - 0.5 * np.copysign(1.0, 9.094947017729282e-13 * t86 * t87 - np.copysign(t88, 1.0))
-    t90 = 1.0 - t89
+    t89 = 0.5 - 0.5 * np.copysign(1, 9.094947017729282e-13 * t86 * t87 - np.copysign(t88, 1))
+    t90 = 1 - t89
     t91 = t89 / (t90 + t88 * t89)
-    t92 = 1.0 - leads1
-    t93 = 1.0 - leads3
-    t94 = np.maximum(np.maximum(np.copysign(t84, 1.0), np.copysign((t83 / t20), 1.0)), np.copysign((t85 / t20), 1.0))
+    t92 = 1 - leads1
+    t93 = 1 - leads3
+    t94 = np.maximum(np.maximum(np.copysign(t84, 1), np.copysign((t83 / t20), 1)), np.copysign((t85 / t20), 1))
     t95 = t83 * leads1 + t84 * leads2 + t85 * leads3
-    t96 = 0.5 - 0.5 * np.copysign(1.0, t87 * (9.094947017729282e-13 * t94) - np.copysign(t95, 1.0))
-    t97 = 1.0 - t96
+    t96 = 0.5 - 0.5 * np.copysign(1, t87 * (9.094947017729282e-13 * t94) - np.copysign(t95, 1))
+    t97 = 1 - t96
     t98 = t96 / (t97 + t95 * t96)
     t99 = t79 * t79
     t100 = t80 * (t42 * t79) - t45 * t99 - t48 * t99
@@ -568,18 +568,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t102 = t85 * (t42 * t84) - t45 * t101 - t48 * t101
     t103 = t6 * t25
     t104 = l2 * (t3 * t12 + t4 * t16)
-    t105 = -3.0 * t100 * (t99 * t103 + t99 * t104 + t80 * (t61 * t79))
+    t105 = -3 * t100 * (t99 * t103 + t99 * t104 + t80 * (t61 * t79))
     t106 = t79 * t99
-    t107 = 3.0 * t26
+    t107 = 3 * t26
     t108 = t105 + t103 * t106 + t104 * t106 + t99 * (t80 * t107)
-    t109 = -3.0 * t102 * (t101 * t103 + t101 * t104 + t85 * (t61 * t84))
+    t109 = -3 * t102 * (t101 * t103 + t101 * t104 + t85 * (t61 * t84))
     t110 = t84 * t101
     t111 = t109 + t103 * t110 + t104 * t110 + t101 * (t85 * t107)
-    t112 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t112 = 0.5 - 0.5 * np.copysign(1, t67 - np.copysign(np.maximum(0.0, -t68), 1))
     t113 = t57 * t112
-    t114 = 4.0 + t35 * (t57 * t113 + t73 * (2.0 + t74)) - 4.0 * t35
-    t115 = np.copysign((-(t111 + kappa_s)), 1.0) - np.copysign((-(t108 + kappa_s)), 1.0)
-    t116 = t73 * (1.0 - t74) * (0.5 + 0.5 * np.copysign(1.0, t65 - t66))
+    t114 = 4 + t35 * (t57 * t113 + t73 * (2 + t74)) - 4 * t35
+    t115 = np.copysign((-(t111 + kappa_s)), 1) - np.copysign((-(t108 + kappa_s)), 1)
+    t116 = t73 * (1 - t74) * (0.5 + 0.5 * np.copysign(1, t65 - t66))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -606,9 +606,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = -t108
     tracked_rate[..., 1] = -t111
     verdict[..., 0] = t114
-    verdict[..., 1] = t35 * (1.0 + t70)
-    verdict[..., 2] = t70 * (0.5 * t35) * (1.0 - np.copysign(1.0, t115))
-    verdict[..., 3] = t35 * (t75 + t57 * (1.0 - t113) + t116)
+    verdict[..., 1] = t35 * (1 + t70)
+    verdict[..., 2] = t70 * (0.5 * t35) * (1 - np.copysign(1, t115))
+    verdict[..., 3] = t35 * (t75 + t57 * (1 - t113) + t116)
     verdict[..., 4] = t81 * t97 + t35 * t90
     parabola[..., 0] = t55
     parabola[..., 1] = t63

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs c53233d7f5a32d7c952755d9fb72453fb504a84b1939d4a197e3a387c73a3752.
+ * Made from templates/kernel.c.j2; inputs 8030bec5adf5336cd2637f6bca46c7a478737febb61c1fdc91c007c26e7a0571.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "c53233d7f5a32d7c952755d9fb72453fb504a84b1939d4a197e3a387c73a3752";
+const char planar_prr_kinematics_digest[] = "8030bec5adf5336cd2637f6bca46c7a478737febb61c1fdc91c007c26e7a0571";
 #endif
 
 #define LANES 64

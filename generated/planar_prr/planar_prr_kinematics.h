@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs c53233d7f5a32d7c952755d9fb72453fb504a84b1939d4a197e3a387c73a3752.
+ * Made from templates/kernel.h.j2; inputs 8030bec5adf5336cd2637f6bca46c7a478737febb61c1fdc91c007c26e7a0571.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c53233d7f5a32d7c952755d9fb72453fb504a84b1939d4a197e3a387c73a3752.
+Made from templates/kernel.py.j2; inputs 8030bec5adf5336cd2637f6bca46c7a478737febb61c1fdc91c007c26e7a0571.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -94,7 +94,7 @@ def pose(q, parameters):
     pose[..., 5] = sin_heading1 * t5 + t2 * l2 + t4 * l3
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -183,8 +183,8 @@ def jacobian_x_alpha(q, parameters):
     jacobian[..., 1] = -(t1 + t2 * l2 + t3 - t1)
     jacobian[..., 2] = -t3
     jacobian[..., 3] = 0.0
-    jacobian[..., 4] = 1.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 4] = 1
+    jacobian[..., 5] = 1
     return jacobian.reshape(_leading + (2, 3))
 
 
@@ -233,8 +233,8 @@ def jacobian_pose(q, parameters):
     jacobian[..., 4] = t6 + l2 * t4 + t7 - t6
     jacobian[..., 5] = t7
     jacobian[..., 6] = 0.0
-    jacobian[..., 7] = 1.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 7] = 1
+    jacobian[..., 8] = 1
     return jacobian.reshape(_leading + (3, 3))
 
 
@@ -340,13 +340,13 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = t8
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t8 - t6)
     jacobian[..., 2] = -t7
     jacobian[..., 3] = 0.0
-    jacobian[..., 4] = 1.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 4] = 1
+    jacobian[..., 5] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
@@ -402,7 +402,7 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = t11
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = cos_heading1
     jacobian[..., 1] = -(t11 - t9)
     jacobian[..., 2] = -t10
@@ -410,6 +410,6 @@ def kinematics_pose(q, parameters):
     jacobian[..., 4] = t8 - t6
     jacobian[..., 5] = t7
     jacobian[..., 6] = 0.0
-    jacobian[..., 7] = 1.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 7] = 1
+    jacobian[..., 8] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs c85eceef2a9447b549af94e8577322cd682664883c40378b79af75a2d0217944.
+ * Made from templates/kernel.c.j2; inputs dfaef847473deefd0820e4e055067128ec18ed0ab96a63c00909f57144b9436a.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "c85eceef2a9447b549af94e8577322cd682664883c40378b79af75a2d0217944";
+const char planar_prr_motion_digest[] = "dfaef847473deefd0820e4e055067128ec18ed0ab96a63c00909f57144b9436a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs c85eceef2a9447b549af94e8577322cd682664883c40378b79af75a2d0217944.
+ * Made from templates/kernel.h.j2; inputs dfaef847473deefd0820e4e055067128ec18ed0ab96a63c00909f57144b9436a.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c85eceef2a9447b549af94e8577322cd682664883c40378b79af75a2d0217944.
+Made from templates/kernel.py.j2; inputs dfaef847473deefd0820e4e055067128ec18ed0ab96a63c00909f57144b9436a.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -74,10 +74,10 @@ def tip_motion(q, parameters, rates, second, third):
     t19 = t16 - t5 * t18
     t20 = sin_heading1 * ddq1 + t2 * t13 - t3 * t12 + t4 * t18
     t21 = t20 - t5 * t15
-    t22 = l2 * (dq2 * (-3.0 * ddq2))
+    t22 = l2 * (dq2 * (-3 * ddq2))
     t23 = dq2 * t11
     t24 = l2 * dddq2 - l2 * t23
-    t25 = t17 * (t7 * (-3.0 * l3))
+    t25 = t17 * (t7 * (-3 * l3))
     t26 = cos_heading1 * dddq1 + t2 * t22 - t3 * t24 + t4 * t25
     t27 = dddq2 + dddq3
     t28 = t7 * t14
@@ -85,15 +85,15 @@ def tip_motion(q, parameters, rates, second, third):
     t30 = t26 - t5 * t29
     t31 = sin_heading1 * dddq1 + t2 * t24 + t3 * t22 + t4 * t29
     t32 = t31 + t5 * t25
-    t33 = l2 * (dq2 * t23) - 3.0 * l2 * (ddq2 * ddq2) - l2 * (dq2 * (4.0 * dddq2))
-    t34 = t11 * (l2 * (-6.0 * ddq2))
-    t35 = l3 * (t7 * t28) - 3.0 * l3 * (t17 * t17) - t27 * (t7 * (4.0 * l3))
-    t36 = t14 * (t17 * (-6.0 * l3))
+    t33 = l2 * (dq2 * t23) - 3 * l2 * (ddq2 * ddq2) - l2 * (dq2 * (4 * dddq2))
+    t34 = t11 * (l2 * (-6 * ddq2))
+    t35 = l3 * (t7 * t28) - 3 * l3 * (t17 * t17) - t27 * (t7 * (4 * l3))
+    t36 = t14 * (t17 * (-6 * l3))
     t37 = t2 * t33 - t3 * t34 + t4 * t35 - t5 * t36
     t38 = t2 * t34 + t3 * t33 + t4 * t36 + t5 * t35
     t39 = np.sqrt((t9 * t9 + t10 * t10))
     t40 = t9 * t21 - t10 * t19
-    t41 = 1.0 / t39
+    t41 = 1 / t39
     t42 = t41 * t41
     t43 = t9 * t32 - t10 * t30
     t44 = t42 * t42

@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e579c92d526a1cb641551dfd9a83e9cffebc25bc45283499050915c0552d3b0e.
+Made from templates/kernel.py.j2; inputs 4f7bff6d8368f2f9b1070c70a60df02e9b18ad7b307bb16ad2357fea18dc7da9.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -83,12 +83,12 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t29 = t13 * t25 + t21 * t27
     t30 = t15 * t15 + t26 * t26
     t31 = 1.4210854715202004e-14 * np.sqrt((t1 * t1 + l2 * l2 + l3 * l3))
-    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t14, 1.0))
-    t33 = 1.0 - t32
+    t32 = 0.5 - 0.5 * np.copysign(1, t31 - np.copysign(t14, 1))
+    t33 = 1 - t32
     t34 = t19 * t33 + t21 * t32
     t35 = t12 * t33 + t13 * t32
-    t36 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign((-t35), 1.0))
-    t37 = t36 / (1.0 - t36 - t35 * t36)
+    t36 = 0.5 - 0.5 * np.copysign(1, t31 - np.copysign((-t35), 1))
+    t37 = t36 / (1 - t36 - t35 * t36)
     t38 = t37 * (t12 * t32 + t13 * t33)
     t39 = t19 * t32 + t21 * t33 + t34 * t38
     t40 = t39 * t39
@@ -100,8 +100,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t46 = t18 * t32 + t17 * t33 + t45 * (t38 * t38) + t23 * t38
     t47 = t38 * (t41 * (t45 + t45)) + t23 * t41
     t48 = t45 * (t41 * t41)
-    t49 = t47 * (t43 + t43) - t48 * (4.0 * t40) - t46 * (4.0 * t44)
-    t50 = t47 * t47 - t48 * (4.0 * t46)
+    t49 = t47 * (t43 + t43) - t48 * (4 * t40) - t46 * (4 * t44)
+    t50 = t47 * t47 - t48 * (4 * t46)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -220,13 +220,13 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t29 = t19 + l2 * (tx * t3 - ty * t2)
     t30 = t15 * t15 + t25 * t25
     t31 = 1.4210854715202004e-14 * np.sqrt((t10 * t10 + l2 * l2 + l3 * l3))
-    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t9, 1.0))
-    t33 = 1.0 - t32
+    t32 = 0.5 - 0.5 * np.copysign(1, t31 - np.copysign(t9, 1))
+    t33 = 1 - t32
     t34 = t16 * t33 + t20 * t32
     t35 = t1 * t33 + t8 * t32
-    t36 = 1.4210854715202004e-14 + t31 * t32 - 1.4210854715202004e-14 * t32 - np.copysign((-t35), 1.0)
-    t37 = 0.5 - 0.5 * np.copysign(1.0, t36)
-    t38 = t37 / (1.0 - t37 - t35 * t37)
+    t36 = 1.4210854715202004e-14 + t31 * t32 - 1.4210854715202004e-14 * t32 - np.copysign((-t35), 1)
+    t37 = 0.5 - 0.5 * np.copysign(1, t36)
+    t38 = t37 / (1 - t37 - t35 * t37)
     t39 = t38 * (t1 * t32 + t8 * t33)
     t40 = t16 * t32 + t20 * t33 + t34 * t39
     t41 = t40 * t40
@@ -239,8 +239,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t48 = t27 * t32
     t49 = t27 * t33 + t39 * (t42 * (t46 + t46)) + t39 * t48
     t50 = t29 + t46 * (t42 * t42) + t42 * t48
-    t51 = t49 * (t44 + t44) - t50 * (4.0 * t41) - t47 * (4.0 * t45)
-    t52 = t49 * t49 - t50 * (4.0 * t47)
+    t51 = t49 * (t44 + t44) - t50 * (4 * t41) - t47 * (4 * t45)
+    t52 = t49 * t49 - t50 * (4 * t47)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -359,13 +359,13 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t29 = t15 * (t13 + t13) + t26 * (t21 + t21)
     t30 = t15 * t15 + t26 * t26
     t31 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + l2 * l2 + l3 * l3))
-    t32 = 0.5 - 0.5 * np.copysign(1.0, t31 - np.copysign(t14, 1.0))
-    t33 = 1.0 - t32
+    t32 = 0.5 - 0.5 * np.copysign(1, t31 - np.copysign(t14, 1))
+    t33 = 1 - t32
     t34 = t16 * t33 + t21 * t32
     t35 = t1 * t33 + t13 * t32
-    t36 = 1.4210854715202004e-14 + t31 * t32 - 1.4210854715202004e-14 * t32 - np.copysign((-t35), 1.0)
-    t37 = 0.5 - 0.5 * np.copysign(1.0, t36)
-    t38 = t37 / (1.0 - t37 - t35 * t37)
+    t36 = 1.4210854715202004e-14 + t31 * t32 - 1.4210854715202004e-14 * t32 - np.copysign((-t35), 1)
+    t37 = 0.5 - 0.5 * np.copysign(1, t36)
+    t38 = t37 / (1 - t37 - t35 * t37)
     t39 = t38 * (t1 * t32 + t13 * t33)
     t40 = t16 * t32 + t21 * t33 + t34 * t39
     t41 = t40 * t40
@@ -378,8 +378,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t48 = t28 * t32
     t49 = t28 * t33 + t39 * (t42 * (t46 + t46)) + t39 * t48
     t50 = t19 + t46 * (t42 * t42) + t42 * t48
-    t51 = t49 * (t44 + t44) - t50 * (4.0 * t41) - t47 * (4.0 * t45)
-    t52 = t49 * t49 - t50 * (4.0 * t47)
+    t51 = t49 * (t44 + t44) - t50 * (4 * t41) - t47 * (4 * t45)
+    t52 = t49 * t49 - t50 * (4 * t47)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -480,7 +480,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t5 = t3 * c3 - t4 * s3
     t6 = t5 * l3
     t7 = t2 + t3 * l2 + t6 - t2
-    t8 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t8 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t9 = tx / t8
     t10 = ty / t8
     t11 = np.sqrt((t9 * t9 + t10 * t10))
@@ -496,7 +496,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t21 = t6 * t17 - t12 * t15
     t22 = t18 * t18 + t19 * t19 + t20 * t20 + t21 * t21
     t23 = np.sqrt((t1 * t1 + l2 * l2 + l3 * l3))
-    t24 = t23 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t23, 1.0)))
+    t24 = t23 + (0.5 + 0.5 * np.copysign(1, 7.888609052210118e-31 - np.copysign(t23, 1)))
     t25 = t24 * t24
     t26 = 1.4210854715202004e-14 * np.sqrt((t22 + t25))
     t27 = 1.4142135623730951 * t24
@@ -509,8 +509,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t34 = t19 * t20 - t18 * t21
     t35 = t34 * t34
     t36 = np.sqrt((t31 + t33 + t35 / t25))
-    t37 = 0.5 - 0.5 * np.copysign(1.0, t26 * t27 - np.copysign((t24 * t36), 1.0))
-    t38 = 1.0 - t37
+    t37 = 0.5 - 0.5 * np.copysign(1, t26 * t27 - np.copysign((t24 * t36), 1))
+    t38 = 1 - t37
     t39 = t37 / (t38 + t37 * np.sqrt((t33 + (t31 + t35))))
     t40 = t32 * t39
     t41 = t30 * t39
@@ -526,8 +526,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t51 = t40 + t41
     t52 = t48 * (t41 * t41) + t50 * (t51 * t51)
     t53 = -t52
-    t54 = np.copysign(t53, 1.0)
-    t55 = 0.5 - 0.5 * np.copysign(1.0, t46 - t54)
+    t54 = np.copysign(t53, 1)
+    t55 = 0.5 - 0.5 * np.copysign(1, t46 - t54)
     t56 = t39 * (t19 * t43 - t28 * t40)
     t57 = t56 * t56
     t58 = t39 * (t28 * t41 - t18 * t43)
@@ -535,21 +535,21 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t60 = np.sqrt(t59)
     t61 = t44 * (t45 * (t60 + t60))
     t62 = t56 + t58
-    t63 = t41 * (t56 * (l2 * (-2.0 * t47))) - t51 * (l3 * (t49 + t49) * t62)
-    t64 = np.copysign(t63, 1.0)
+    t63 = t41 * (t56 * (l2 * (-2 * t47))) - t51 * (l3 * (t49 + t49) * t62)
+    t64 = np.copysign(t63, 1)
     t65 = t44 * t59
     t66 = t48 * t57 + t50 * (t62 * t62)
     t67 = t66 + kappa
-    t68 = np.copysign((-t67), 1.0)
-    t69 = (t61 + t61) * t64 + t54 * (4.0 * t65) + 4.0 * t46 * t68
-    t70 = t63 * t63 - t52 * (4.0 * t67)
+    t68 = np.copysign((-t67), 1)
+    t69 = (t61 + t61) * t64 + t54 * (4 * t65) + 4 * t46 * t68
+    t70 = t63 * t63 - t52 * (4 * t67)
     t71 = np.maximum(0.0, t70)
-    t72 = t55 * (0.5 - 0.5 * np.copysign(1.0, t69 - np.copysign(t71, 1.0)))
-    t73 = 1.0 - t72
-    t74 = 0.5 - 0.5 * np.copysign(1.0, t61 - t64)
-    t75 = 1.0 - t55
+    t72 = t55 * (0.5 - 0.5 * np.copysign(1, t69 - np.copysign(t71, 1)))
+    t73 = 1 - t72
+    t74 = 0.5 - 0.5 * np.copysign(1, t61 - t64)
+    t75 = 1 - t55
     t76 = t74 * t75
-    t77 = t67 * t76 / (1.0 - t76 + t63 * t76) - t55 * t63 / (t75 - t52 * (t55 + t55))
+    t77 = t67 * t76 / (1 - t76 + t63 * t76) - t55 * t63 / (t75 - t52 * (t55 + t55))
     t78 = t72 * (-0.5 * t63 - 0.5 * np.copysign(np.sqrt(t71), t63))
     t79 = t73 * t77 - t67 * t72 / (t73 + t78)
     t80 = t37 * (t42 + t43 * t79)
@@ -560,18 +560,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t85 = t83 * (t42 + t43 * t84)
     t86 = t83 * (t56 + t41 * t84)
     t87 = t83 * (t58 + t40 * t84)
-    t88 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t81, 1.0), np.copysign(t82, 1.0)), np.copysign((t80 / t24), 1.0))
+    t88 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t81, 1), np.copysign(t82, 1)), np.copysign((t80 / t24), 1))
     t89 = leads2 + leads3 + t24 * leads1
     t90 = t80 * leads1 + t81 * leads2 + t82 * leads3
-    t91 = 0.5 - 0.5 * np.copysign(1.0, t88 * t89 - np.copysign(t90, 1.0))
-    t92 = 1.0 - t91
+    t91 = 0.5 - 0.5 * np.copysign(1, t88 * t89 - np.copysign(t90, 1))
+    t92 = 1 - t91
     t93 = t91 / (t92 + t90 * t91)
-    t94 = 1.0 - leads1
-    t95 = 1.0 - leads3
-    t96 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t86, 1.0), np.copysign(t87, 1.0)), np.copysign((t85 / t24), 1.0))
+    t94 = 1 - leads1
+    t95 = 1 - leads3
+    t96 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t86, 1), np.copysign(t87, 1)), np.copysign((t85 / t24), 1))
     t97 = t85 * leads1 + t86 * leads2 + t87 * leads3
-    t98 = 0.5 - 0.5 * np.copysign(1.0, t89 * t96 - np.copysign(t97, 1.0))
-    t99 = 1.0 - t98
+    t98 = 0.5 - 0.5 * np.copysign(1, t89 * t96 - np.copysign(t97, 1))
+    t99 = 1 - t98
     t100 = t98 / (t99 + t97 * t98)
     t101 = t81 * t81
     t102 = t81 + t82
@@ -583,15 +583,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t108 = t48 * t105 + t50 * t107
     t109 = l2 * (t3 * t12 + t4 * t17)
     t110 = l3 * (t5 * t12 + t14 * t17)
-    t111 = -3.0 * t104 * (t101 * t109 + t103 * t110) - t109 * (t81 * t101)
+    t111 = -3 * t104 * (t101 * t109 + t103 * t110) - t109 * (t81 * t101)
     t112 = t111 - t110 * (t102 * t103)
-    t113 = -3.0 * t108 * (t105 * t109 + t107 * t110) - t109 * (t86 * t105)
+    t113 = -3 * t108 * (t105 * t109 + t107 * t110) - t109 * (t86 * t105)
     t114 = t113 - t110 * (t106 * t107)
-    t115 = 0.5 - 0.5 * np.copysign(1.0, t69 - np.copysign(np.maximum(0.0, -t70), 1.0))
+    t115 = 0.5 - 0.5 * np.copysign(1, t69 - np.copysign(np.maximum(0.0, -t70), 1))
     t116 = t55 * t115
-    t117 = 4.0 + t37 * (t55 * t116 + t75 * (2.0 + t74)) - 4.0 * t37
-    t118 = 1.0 - np.copysign(1.0, np.copysign((t114 - kappa_s), 1.0) - np.copysign((t112 - kappa_s), 1.0))
-    t119 = t75 * (1.0 - t74) * (0.5 + 0.5 * np.copysign(1.0, t65 - t68))
+    t117 = 4 + t37 * (t55 * t116 + t75 * (2 + t74)) - 4 * t37
+    t118 = 1 - np.copysign(1, np.copysign((t114 - kappa_s), 1) - np.copysign((t112 - kappa_s), 1))
+    t119 = t75 * (1 - t74) * (0.5 + 0.5 * np.copysign(1, t65 - t68))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -618,9 +618,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = t112
     tracked_rate[..., 1] = t114
     verdict[..., 0] = t117
-    verdict[..., 1] = t37 * (1.0 + t72)
+    verdict[..., 1] = t37 * (1 + t72)
     verdict[..., 2] = t72 * (0.5 * t37) * t118
-    verdict[..., 3] = t37 * (t76 + t55 * (1.0 - t116) + t119)
+    verdict[..., 3] = t37 * (t76 + t55 * (1 - t116) + t119)
     verdict[..., 4] = t83 * t99 + t37 * t92
     parabola[..., 0] = t53
     parabola[..., 1] = t63

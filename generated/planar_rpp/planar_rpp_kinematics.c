@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059.
+ * Made from templates/kernel.c.j2; inputs 3a3ac072d24e9900f28c8dfd454973a941ae9f635f850a4f43610b17fd16cfbb.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059";
+const char planar_rpp_kinematics_digest[] = "3a3ac072d24e9900f28c8dfd454973a941ae9f635f850a4f43610b17fd16cfbb";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059.
+ * Made from templates/kernel.h.j2; inputs 3a3ac072d24e9900f28c8dfd454973a941ae9f635f850a4f43610b17fd16cfbb.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ac0291821e2ac7fe5e82b897e6aa4c2fa636a03d57cf4960a5f0082e672ea059.
+Made from templates/kernel.py.j2; inputs 3a3ac072d24e9900f28c8dfd454973a941ae9f635f850a4f43610b17fd16cfbb.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -98,7 +98,7 @@ def pose(q, parameters):
     pose[..., 5] = s1 * l1 + t2 * t5 + t4 * t6
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -187,7 +187,7 @@ def jacobian_x_alpha(q, parameters):
     jacobian[..., 0] = -t3
     jacobian[..., 1] = t2
     jacobian[..., 2] = cos_heading3 * t2 - t1 * sin_heading3
-    jacobian[..., 3] = 1.0
+    jacobian[..., 3] = 1
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 0.0
     return jacobian.reshape(_leading + (2, 3))
@@ -237,7 +237,7 @@ def jacobian_pose(q, parameters):
     jacobian[..., 3] = l1 * c1 + t2 * t3 + t5 * t6
     jacobian[..., 4] = t1
     jacobian[..., 5] = t4
-    jacobian[..., 6] = 1.0
+    jacobian[..., 6] = 1
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 0.0
     return jacobian.reshape(_leading + (3, 3))
@@ -345,11 +345,11 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t7
     jacobian[..., 1] = t1
     jacobian[..., 2] = t3
-    jacobian[..., 3] = 1.0
+    jacobian[..., 3] = 1
     jacobian[..., 4] = 0.0
     jacobian[..., 5] = 0.0
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
@@ -405,14 +405,14 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = t8
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t8
     jacobian[..., 1] = t1
     jacobian[..., 2] = t3
     jacobian[..., 3] = t7
     jacobian[..., 4] = t2
     jacobian[..., 5] = t4
-    jacobian[..., 6] = 1.0
+    jacobian[..., 6] = 1
     jacobian[..., 7] = 0.0
     jacobian[..., 8] = 0.0
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 0d985a009f431717c6f373a001974af1ccede0342364330e192c654990334c09.
+ * Made from templates/kernel.h.j2; inputs 467efeacf51c5bdff1d19f4ec18c51447a9d79b5e552ed4540fc8d98e1073847.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0d985a009f431717c6f373a001974af1ccede0342364330e192c654990334c09.
+Made from templates/kernel.py.j2; inputs 467efeacf51c5bdff1d19f4ec18c51447a9d79b5e552ed4540fc8d98e1073847.
 331 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -79,42 +79,42 @@ def tip_motion(q, parameters, rates, second, third):
     t23 = t20 + t4 * t21 - t6 * t22
     t24 = c1 * t17 - s1 * t16 + t1 * t19 + t3 * t15
     t25 = t24 + t4 * t22 + t6 * t21
-    t26 = l1 * (dq1 * (-3.0 * ddq1))
+    t26 = l1 * (dq1 * (-3 * ddq1))
     t27 = dq1 * t14
     t28 = l1 * dddq1 - l1 * t27
-    t29 = 3.0 * t2
-    t30 = dddq2 - t14 * (3.0 * dq2) - dq1 * (ddq1 * t29)
-    t31 = 3.0 * ddq1
-    t32 = t2 * dddq1 + dq2 * t31 + dq1 * (3.0 * ddq2) - t2 * t27
+    t29 = 3 * t2
+    t30 = dddq2 - t14 * (3 * dq2) - dq1 * (ddq1 * t29)
+    t31 = 3 * ddq1
+    t32 = t2 * dddq1 + dq2 * t31 + dq1 * (3 * ddq2) - t2 * t27
     t33 = c1 * t26 - s1 * t28 + t1 * t30 - t3 * t32
-    t34 = 3.0 * t5
-    t35 = dddq3 - t14 * (3.0 * dq3) - dq1 * (ddq1 * t34)
-    t36 = t5 * dddq1 + dq3 * t31 + dq1 * (3.0 * ddq3) - t5 * t27
+    t34 = 3 * t5
+    t35 = dddq3 - t14 * (3 * dq3) - dq1 * (ddq1 * t34)
+    t36 = t5 * dddq1 + dq3 * t31 + dq1 * (3 * ddq3) - t5 * t27
     t37 = t33 + t4 * t35 - t6 * t36
     t38 = c1 * t28 + s1 * t26 + t1 * t32 + t3 * t30
     t39 = t38 + t4 * t36 + t6 * t35
     t40 = dq1 * t27
     t41 = ddq1 * ddq1
-    t42 = 4.0 * dddq1
-    t43 = l1 * t40 - 3.0 * l1 * t41 - l1 * (dq1 * t42)
-    t44 = t14 * (l1 * (-6.0 * ddq1))
-    t45 = dq1 * (12.0 * ddq1)
-    t46 = t2 * t40 - t14 * (6.0 * ddq2) - t29 * t41 - dq2 * t45
-    t47 = t46 - dq1 * (dddq1 * (4.0 * t2))
-    t48 = 6.0 * ddq1
-    t49 = dq2 * t42 + dq1 * (4.0 * dddq2) + ddq2 * t48 - t27 * (4.0 * dq2)
-    t50 = t49 - t14 * (ddq1 * (6.0 * t2))
+    t42 = 4 * dddq1
+    t43 = l1 * t40 - 3 * l1 * t41 - l1 * (dq1 * t42)
+    t44 = t14 * (l1 * (-6 * ddq1))
+    t45 = dq1 * (12 * ddq1)
+    t46 = t2 * t40 - t14 * (6 * ddq2) - t29 * t41 - dq2 * t45
+    t47 = t46 - dq1 * (dddq1 * (4 * t2))
+    t48 = 6 * ddq1
+    t49 = dq2 * t42 + dq1 * (4 * dddq2) + ddq2 * t48 - t27 * (4 * dq2)
+    t50 = t49 - t14 * (ddq1 * (6 * t2))
     t51 = c1 * t43 - s1 * t44 + t1 * t47 - t3 * t50
-    t52 = t5 * t40 - t14 * (6.0 * ddq3) - t34 * t41 - dq3 * t45
-    t53 = t52 - dq1 * (dddq1 * (4.0 * t5))
-    t54 = dq3 * t42 + dq1 * (4.0 * dddq3) + ddq3 * t48 - t27 * (4.0 * dq3)
-    t55 = t54 - t14 * (ddq1 * (6.0 * t5))
+    t52 = t5 * t40 - t14 * (6 * ddq3) - t34 * t41 - dq3 * t45
+    t53 = t52 - dq1 * (dddq1 * (4 * t5))
+    t54 = dq3 * t42 + dq1 * (4 * dddq3) + ddq3 * t48 - t27 * (4 * dq3)
+    t55 = t54 - t14 * (ddq1 * (6 * t5))
     t56 = t51 + t4 * t53 - t6 * t55
     t57 = c1 * t44 + s1 * t43 + t1 * t50 + t3 * t47
     t58 = t57 + t4 * t55 + t6 * t53
     t59 = np.sqrt((t11 * t11 + t13 * t13))
     t60 = t11 * t25 - t13 * t23
-    t61 = 1.0 / t59
+    t61 = 1 / t59
     t62 = t61 * t61
     t63 = t11 * t39 - t13 * t37
     t64 = t62 * t62

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 1a986c4eab0d2cd31c1a11c4485b84d5a67aaf2581cb90c36e355b1da7156d08.
+ * Made from templates/kernel.c.j2; inputs beabb62c1d78a11d8e70f5b6b463e86199307da8defc18960b8f8673d3d447e1.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "1a986c4eab0d2cd31c1a11c4485b84d5a67aaf2581cb90c36e355b1da7156d08";
+const char planar_rpp_speed_ratio_digest[] = "beabb62c1d78a11d8e70f5b6b463e86199307da8defc18960b8f8673d3d447e1";
 #endif
 
 #define LANES 64

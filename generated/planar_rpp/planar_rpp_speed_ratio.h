@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 1a986c4eab0d2cd31c1a11c4485b84d5a67aaf2581cb90c36e355b1da7156d08.
+ * Made from templates/kernel.h.j2; inputs beabb62c1d78a11d8e70f5b6b463e86199307da8defc18960b8f8673d3d447e1.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

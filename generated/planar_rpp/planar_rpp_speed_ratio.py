@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1a986c4eab0d2cd31c1a11c4485b84d5a67aaf2581cb90c36e355b1da7156d08.
+Made from templates/kernel.py.j2; inputs beabb62c1d78a11d8e70f5b6b463e86199307da8defc18960b8f8673d3d447e1.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -70,21 +70,21 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t15 = tx * t5 + ty * t4
     t16 = t6 * t6 + t15 * t15
     t17 = t6 * (t3 + t3) + t15 * (t13 + t13)
-    t18 = -2.0 * t13
+    t18 = -2 * t13
     t19 = t12 + t12
     t20 = ty * t10 - tx * t11
     t21 = t20 + t20
     t22 = t3 * t19 + t13 * t21
-    t23 = -2.0 * t15
+    t23 = -2 * t15
     t24 = t6 * t19 + t15 * t21
     t25 = t3 * t8 + t6 * t9 + l1 * (s1 * tx - c1 * ty)
     t26 = t12 * t12 + t20 * t20
-    t27 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t7, 1.0))
-    t28 = 1.0 - t27
+    t27 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t7, 1))
+    t28 = 1 - t27
     t29 = t13 * t28 + t15 * t27
     t30 = t3 * t28 + t6 * t27
-    t31 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign((-t30), 1.0))
-    t32 = t31 / (1.0 - t31 - t30 * t31)
+    t31 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign((-t30), 1))
+    t32 = t31 / (1 - t31 - t30 * t31)
     t33 = t32 * (t3 * t27 + t6 * t28)
     t34 = t13 * t27 + t15 * t28 + t29 * t33
     t35 = t34 * t34
@@ -94,7 +94,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t39 = t18 * t28 + t23 * t27
     t40 = t18 * t27 + t23 * t28 + t33 * t39
     t41 = t25 + t36 * t39
-    t42 = t40 * (t38 + t38) - t41 * (4.0 * t35)
+    t42 = t40 * (t38 + t38) - t41 * (4 * t35)
     t43 = t40 * t40
 
     # results
@@ -201,23 +201,23 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t15 = t9 * t9 + t14 * t14
     t16 = tx * t4 + ty * t7
     t17 = t10 * t10 + t16 * t16
-    t18 = -2.0 * t16
+    t18 = -2 * t16
     t19 = t9 + t9
     t20 = t14 + t14
     t21 = t10 * t19 + t16 * t20
     t22 = tx * t1 + t3 * ty
-    t23 = -2.0 * t22
+    t23 = -2 * t22
     t24 = t12 * t19 + t20 * t22
     t25 = t10 * (t12 + t12) + t16 * (t22 + t22)
     t26 = t12 * t12 + t22 * t22
-    t27 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t11, 1.0))
-    t28 = 1.0 - t27
+    t27 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t11, 1))
+    t28 = 1 - t27
     t29 = t14 * t28 + t16 * t27
     t30 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + t5 * t5 + l1 * l1))
     t31 = t9 * t28 + t10 * t27
-    t32 = np.copysign(1.0, 1.4210854715202004e-14 * t27 + t28 * t30 - np.copysign((-t31), 1.0))
+    t32 = np.copysign(1, 1.4210854715202004e-14 * t27 + t28 * t30 - np.copysign((-t31), 1))
     t33 = 0.5 - 0.5 * t32
-    t34 = t33 / (1.0 - t33 - t31 * t33)
+    t34 = t33 / (1 - t33 - t31 * t33)
     t35 = t34 * (t9 * t27 + t10 * t28)
     t36 = t14 * t27 + t16 * t28 + t29 * t35
     t37 = t36 * t36
@@ -231,8 +231,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t45 = t23 * t28
     t46 = t44 + t35 * t45
     t47 = t42 * (t38 * t38) + t38 * t45
-    t48 = t46 * (t40 + t40) - t47 * (4.0 * t37) - t43 * (4.0 * t41)
-    t49 = t46 * t46 - t47 * (4.0 * t43)
+    t48 = t46 * (t40 + t40) - t47 * (4 * t37) - t43 * (4 * t41)
+    t49 = t46 * t46 - t47 * (4 * t43)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -338,23 +338,23 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t15 = t9 * t9 + t14 * t14
     t16 = tx * t1 + t3 * ty
     t17 = t10 * t10 + t16 * t16
-    t18 = -2.0 * t16
+    t18 = -2 * t16
     t19 = t9 + t9
     t20 = t14 + t14
     t21 = t10 * t19 + t16 * t20
     t22 = tx * t4 + ty * t7
-    t23 = -2.0 * t22
+    t23 = -2 * t22
     t24 = t12 * t19 + t20 * t22
     t25 = t12 * (t10 + t10) + t22 * (t16 + t16)
     t26 = t12 * t12 + t22 * t22
-    t27 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t11, 1.0))
-    t28 = 1.0 - t27
+    t27 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t11, 1))
+    t28 = 1 - t27
     t29 = t14 * t28 + t16 * t27
     t30 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + t5 * t5 + l1 * l1))
     t31 = t9 * t28 + t10 * t27
-    t32 = np.copysign(1.0, 1.4210854715202004e-14 * t27 + t28 * t30 - np.copysign((-t31), 1.0))
+    t32 = np.copysign(1, 1.4210854715202004e-14 * t27 + t28 * t30 - np.copysign((-t31), 1))
     t33 = 0.5 - 0.5 * t32
-    t34 = t33 / (1.0 - t33 - t31 * t33)
+    t34 = t33 / (1 - t33 - t31 * t33)
     t35 = t34 * (t9 * t27 + t10 * t28)
     t36 = t14 * t27 + t16 * t28 + t29 * t35
     t37 = t36 * t36
@@ -368,8 +368,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t45 = t23 * t28
     t46 = t44 + t35 * t45
     t47 = t42 * (t38 * t38) + t38 * t45
-    t48 = t46 * (t40 + t40) - t47 * (4.0 * t37) - t43 * (4.0 * t41)
-    t49 = t46 * t46 - t47 * (4.0 * t43)
+    t48 = t46 * (t40 + t40) - t47 * (4 * t37) - t43 * (4 * t41)
+    t49 = t46 * t46 - t47 * (4 * t43)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -464,7 +464,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     kappa_s = curvature[..., 1]
 
     # terms
-    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t1 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t2 = tx / t1
     t3 = ty / t1
     t4 = np.sqrt((t2 * t2 + t3 * t3))
@@ -481,7 +481,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t15 = t5 * t11 + t12 * t14
     t16 = t11 * t12 - t5 * t14
     t17 = np.sqrt((t7 * t7 + t10 * t10 + l1 * l1))
-    t18 = t17 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t17, 1.0)))
+    t18 = t17 + (0.5 + 0.5 * np.copysign(1, 7.888609052210118e-31 - np.copysign(t17, 1)))
     t19 = t18 * t18
     t20 = 1.4210854715202004e-14 * np.sqrt((t15 * t15 + t16 * t16 + (t19 + t19)))
     t21 = 1.7320508075688772 * t18
@@ -496,8 +496,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t30 = t16 * t24 - t15 * t23
     t31 = t30 * t30
     t32 = np.sqrt((t27 + t29 / t19 + t31 / t19))
-    t33 = 0.5 - 0.5 * np.copysign(1.0, t20 * t21 - np.copysign((t19 * t32), 1.0))
-    t34 = 1.0 - t33
+    t33 = 0.5 - 0.5 * np.copysign(1, t20 * t21 - np.copysign((t19 * t32), 1))
+    t34 = 1 - t33
     t35 = t33 / (t34 + t33 * np.sqrt((t31 + (t27 + t29))))
     t36 = t30 * t35
     t37 = t28 * t35
@@ -521,8 +521,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t55 = t39 * t39
     t56 = t37 * (t39 * t40) + t36 * (t39 * t42) - t44 * t55
     t57 = t56 - t47 * t55 - t49 * t55
-    t58 = np.copysign(t57, 1.0)
-    t59 = 0.5 - 0.5 * np.copysign(1.0, t54 - t58)
+    t58 = np.copysign(t57, 1)
+    t59 = 0.5 - 0.5 * np.copysign(1, t54 - t58)
     t60 = t45 + t41 * t41 / t19 + t43 * t43 / t19
     t61 = np.sqrt(t60)
     t62 = t52 * (t53 * (t61 + t61))
@@ -531,19 +531,19 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t65 = t22 + t22
     t66 = t63 - t39 * (t38 * (t7 * t64)) - t39 * (t38 * (t10 * t65))
     t67 = t66 - t39 * (t38 * (l1 * (t48 + t48)))
-    t68 = np.copysign(t67, 1.0)
+    t68 = np.copysign(t67, 1)
     t69 = t52 * t60
-    t70 = np.copysign(t51, 1.0)
-    t71 = (t62 + t62) * t68 + t58 * (4.0 * t69) + 4.0 * t54 * t70
-    t72 = t67 * t67 - t57 * (4.0 * t51)
+    t70 = np.copysign(t51, 1)
+    t71 = (t62 + t62) * t68 + t58 * (4 * t69) + 4 * t54 * t70
+    t72 = t67 * t67 - t57 * (4 * t51)
     t73 = np.maximum(0.0, t72)
-    t74 = t59 * (0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(t73, 1.0)))
-    t75 = 1.0 - t74
+    t74 = t59 * (0.5 - 0.5 * np.copysign(1, t71 - np.copysign(t73, 1)))
+    t75 = 1 - t74
     t76 = t74 * (-0.5 * t67 - 0.5 * np.copysign(np.sqrt(t73), t67))
-    t77 = 1.0 - t59
-    t78 = 0.5 - 0.5 * np.copysign(1.0, t62 - t68)
+    t77 = 1 - t59
+    t78 = 0.5 - 0.5 * np.copysign(1, t62 - t68)
     t79 = t77 * t78
-    t80 = t59 * t67 / (t77 + t57 * (t59 + t59)) + t51 * t79 / (1.0 - t79 + t67 * t79)
+    t80 = t59 * t67 / (t77 + t57 * (t59 + t59)) + t51 * t79 / (1 - t79 + t67 * t79)
     t81 = t51 * t74 / (t75 + t76) - t75 * t80
     t82 = t33 * (t38 + t39 * t81)
     t83 = t33 * (t41 + t37 * t81)
@@ -553,18 +553,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t87 = t85 * (t38 + t39 * t86)
     t88 = t85 * (t41 + t37 * t86)
     t89 = t85 * (t43 + t36 * t86)
-    t90 = np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign((t83 / t18), 1.0)), np.copysign((t84 / t18), 1.0))
+    t90 = np.maximum(np.maximum(np.copysign(t82, 1), np.copysign((t83 / t18), 1)), np.copysign((t84 / t18), 1))
     t91 = leads1 + t18 * leads2 + t18 * leads3
     t92 = t82 * leads1 + t83 * leads2 + t84 * leads3
-    t93 = 0.5 - 0.5 * np.copysign(1.0, 9.094947017729282e-13 * t90 * t91 - np.copysign(t92, 1.0))
-    t94 = 1.0 - t93
+    t93 = 0.5 - 0.5 * np.copysign(1, 9.094947017729282e-13 * t90 * t91 - np.copysign(t92, 1))
+    t94 = 1 - t93
     t95 = t93 / (t94 + t92 * t93)
-    t96 = 1.0 - leads1
-    t97 = 1.0 - leads3
-    t98 = np.maximum(np.maximum(np.copysign(t87, 1.0), np.copysign((t88 / t18), 1.0)), np.copysign((t89 / t18), 1.0))
+    t96 = 1 - leads1
+    t97 = 1 - leads3
+    t98 = np.maximum(np.maximum(np.copysign(t87, 1), np.copysign((t88 / t18), 1)), np.copysign((t89 / t18), 1))
     t99 = t87 * leads1 + t88 * leads2 + t89 * leads3
-    t100 = 0.5 - 0.5 * np.copysign(1.0, t91 * (9.094947017729282e-13 * t98) - np.copysign(t99, 1.0))
-    t101 = 1.0 - t100
+    t100 = 0.5 - 0.5 * np.copysign(1, t91 * (9.094947017729282e-13 * t98) - np.copysign(t99, 1))
+    t101 = 1 - t100
     t102 = t100 / (t101 + t99 * t100)
     t103 = t82 * t82
     t104 = t83 * (t40 * t82) + t84 * (t42 * t82) - t44 * t103
@@ -577,21 +577,21 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t111 = l1 * (t5 * c1 + s1 * t12)
     t112 = t103 * t109 + t103 * t110 + t103 * t111 + t83 * (t64 * t82)
     t113 = t82 * t103
-    t114 = -3.0 * t105 * (t112 + t84 * (t65 * t82)) + t109 * t113
-    t115 = 3.0 * t24
+    t114 = -3 * t105 * (t112 + t84 * (t65 * t82)) + t109 * t113
+    t115 = 3 * t24
     t116 = t114 + t110 * t113 + t111 * t113 + t103 * (t83 * t115)
-    t117 = 3.0 * t22
+    t117 = 3 * t22
     t118 = t116 + t103 * (t84 * t117)
     t119 = t106 * t109 + t106 * t110 + t106 * t111 + t88 * (t64 * t87)
     t120 = t87 * t106
-    t121 = -3.0 * t108 * (t119 + t89 * (t65 * t87)) + t109 * t120
+    t121 = -3 * t108 * (t119 + t89 * (t65 * t87)) + t109 * t120
     t122 = t121 + t110 * t120 + t111 * t120 + t106 * (t88 * t115)
     t123 = t122 + t106 * (t89 * t117)
-    t124 = 0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(np.maximum(0.0, -t72), 1.0))
+    t124 = 0.5 - 0.5 * np.copysign(1, t71 - np.copysign(np.maximum(0.0, -t72), 1))
     t125 = t59 * t124
-    t126 = 4.0 + t33 * (t59 * t125 + t77 * (2.0 + t78)) - 4.0 * t33
-    t127 = np.copysign((-(t123 + kappa_s)), 1.0) - np.copysign((-(t118 + kappa_s)), 1.0)
-    t128 = t77 * (1.0 - t78) * (0.5 + 0.5 * np.copysign(1.0, t69 - t70))
+    t126 = 4 + t33 * (t59 * t125 + t77 * (2 + t78)) - 4 * t33
+    t127 = np.copysign((-(t123 + kappa_s)), 1) - np.copysign((-(t118 + kappa_s)), 1)
+    t128 = t77 * (1 - t78) * (0.5 + 0.5 * np.copysign(1, t69 - t70))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -618,9 +618,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = -t118
     tracked_rate[..., 1] = -t123
     verdict[..., 0] = t126
-    verdict[..., 1] = t33 * (1.0 + t74)
-    verdict[..., 2] = t74 * (0.5 * t33) * (1.0 - np.copysign(1.0, t127))
-    verdict[..., 3] = t33 * (t79 + t59 * (1.0 - t125) + t128)
+    verdict[..., 1] = t33 * (1 + t74)
+    verdict[..., 2] = t74 * (0.5 * t33) * (1 - np.copysign(1, t127))
+    verdict[..., 3] = t33 * (t79 + t59 * (1 - t125) + t128)
     verdict[..., 4] = t85 * t101 + t33 * t94
     parabola[..., 0] = t57
     parabola[..., 1] = t67

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a.
+ * Made from templates/kernel.c.j2; inputs f2fd9fbd1da0cca3f7eaadfd0b7d79648b0fdeca2b452cef765e4d093c45f2bb.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a";
+const char planar_rpr_kinematics_digest[] = "f2fd9fbd1da0cca3f7eaadfd0b7d79648b0fdeca2b452cef765e4d093c45f2bb";
 #endif
 
 #define LANES 64

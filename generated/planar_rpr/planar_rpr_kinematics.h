@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a.
+ * Made from templates/kernel.h.j2; inputs f2fd9fbd1da0cca3f7eaadfd0b7d79648b0fdeca2b452cef765e4d093c45f2bb.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a515b5466c001446137db55c758d83c6f496da03850e9111b1eede852fd2082a.
+Made from templates/kernel.py.j2; inputs f2fd9fbd1da0cca3f7eaadfd0b7d79648b0fdeca2b452cef765e4d093c45f2bb.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -94,7 +94,7 @@ def pose(q, parameters):
     pose[..., 5] = s1 * l1 + t2 * t5 + t4 * l3
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -180,9 +180,9 @@ def jacobian_x_alpha(q, parameters):
     jacobian[..., 0] = -(l1 * s1 + t1 * (l2 + q2) + t3)
     jacobian[..., 1] = t2
     jacobian[..., 2] = -t3
-    jacobian[..., 3] = 1.0
+    jacobian[..., 3] = 1
     jacobian[..., 4] = 0.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 5] = 1
     return jacobian.reshape(_leading + (2, 3))
 
 
@@ -228,9 +228,9 @@ def jacobian_pose(q, parameters):
     jacobian[..., 3] = l1 * c1 + t2 * t3 + t5
     jacobian[..., 4] = t1
     jacobian[..., 5] = t5
-    jacobian[..., 6] = 1.0
+    jacobian[..., 6] = 1
     jacobian[..., 7] = 0.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 8] = 1
     return jacobian.reshape(_leading + (3, 3))
 
 
@@ -333,13 +333,13 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t7
     jacobian[..., 1] = t1
     jacobian[..., 2] = -t6
-    jacobian[..., 3] = 1.0
+    jacobian[..., 3] = 1
     jacobian[..., 4] = 0.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 5] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
@@ -393,14 +393,14 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = t9
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t9
     jacobian[..., 1] = t1
     jacobian[..., 2] = -t8
     jacobian[..., 3] = t7
     jacobian[..., 4] = t2
     jacobian[..., 5] = t6
-    jacobian[..., 6] = 1.0
+    jacobian[..., 6] = 1
     jacobian[..., 7] = 0.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 8] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

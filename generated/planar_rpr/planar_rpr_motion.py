@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b01cf081d472a20108dbb2fb67ed6ccb86af068d2e8d827043553429a7c72545.
+Made from templates/kernel.py.j2; inputs c6ab19adbd2c5138f35f393a5f7fd2e2e5fb3db65e41f39f30924b124c82ea1e.
 307 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -77,15 +77,15 @@ def tip_motion(q, parameters, rates, second, third):
     t22 = t17 - t4 * t19 - t5 * t21
     t23 = c1 * t15 - s1 * t14 + t1 * t16 + t3 * t13
     t24 = t23 + t4 * t21 - t5 * t19
-    t25 = l1 * (dq1 * (-3.0 * ddq1))
+    t25 = l1 * (dq1 * (-3 * ddq1))
     t26 = dq1 * t12
     t27 = l1 * dddq1 - l1 * t26
-    t28 = 3.0 * t2
-    t29 = dddq2 - t12 * (3.0 * dq2) - dq1 * (ddq1 * t28)
-    t30 = t2 * dddq1 + dq2 * (3.0 * ddq1) + dq1 * (3.0 * ddq2)
+    t28 = 3 * t2
+    t29 = dddq2 - t12 * (3 * dq2) - dq1 * (ddq1 * t28)
+    t30 = t2 * dddq1 + dq2 * (3 * ddq1) + dq1 * (3 * ddq2)
     t31 = t30 - t2 * t26
     t32 = c1 * t25 - s1 * t27 + t1 * t29 - t3 * t31
-    t33 = t20 * (t8 * (-3.0 * l3))
+    t33 = t20 * (t8 * (-3 * l3))
     t34 = dddq1 + dddq3
     t35 = t8 * t18
     t36 = l3 * t34 - l3 * t35
@@ -94,22 +94,22 @@ def tip_motion(q, parameters, rates, second, third):
     t39 = t38 + t4 * t36 + t5 * t33
     t40 = dq1 * t26
     t41 = ddq1 * ddq1
-    t42 = 4.0 * dddq1
-    t43 = l1 * t40 - 3.0 * l1 * t41 - l1 * (dq1 * t42)
-    t44 = t12 * (l1 * (-6.0 * ddq1))
-    t45 = t2 * t40 - t12 * (6.0 * ddq2) - t28 * t41 - dq2 * (dq1 * (12.0 * ddq1))
-    t46 = t45 - dq1 * (dddq1 * (4.0 * t2))
-    t47 = dq2 * t42 + dq1 * (4.0 * dddq2) + ddq2 * (6.0 * ddq1)
-    t48 = t47 - t26 * (4.0 * dq2) - t12 * (ddq1 * (6.0 * t2))
+    t42 = 4 * dddq1
+    t43 = l1 * t40 - 3 * l1 * t41 - l1 * (dq1 * t42)
+    t44 = t12 * (l1 * (-6 * ddq1))
+    t45 = t2 * t40 - t12 * (6 * ddq2) - t28 * t41 - dq2 * (dq1 * (12 * ddq1))
+    t46 = t45 - dq1 * (dddq1 * (4 * t2))
+    t47 = dq2 * t42 + dq1 * (4 * dddq2) + ddq2 * (6 * ddq1)
+    t48 = t47 - t26 * (4 * dq2) - t12 * (ddq1 * (6 * t2))
     t49 = c1 * t43 - s1 * t44 + t1 * t46 - t3 * t48
-    t50 = l3 * (t8 * t35) - 3.0 * l3 * (t20 * t20) - t34 * (t8 * (4.0 * l3))
-    t51 = t18 * (t20 * (-6.0 * l3))
+    t50 = l3 * (t8 * t35) - 3 * l3 * (t20 * t20) - t34 * (t8 * (4 * l3))
+    t51 = t18 * (t20 * (-6 * l3))
     t52 = t49 + t4 * t50 - t5 * t51
     t53 = c1 * t44 + s1 * t43 + t1 * t48 + t3 * t46
     t54 = t53 + t4 * t51 + t5 * t50
     t55 = np.sqrt((t10 * t10 + t11 * t11))
     t56 = t10 * t24 - t11 * t22
-    t57 = 1.0 / t55
+    t57 = 1 / t55
     t58 = t57 * t57
     t59 = t10 * t39 - t11 * t37
     t60 = t58 * t58

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 2dfed44fc1fbd603788ca861225c4337a7dd39d2b9965909cb65987312e66f7a.
+ * Made from templates/kernel.c.j2; inputs 9839fa64e77ee838ac9aadb6cc571a6be2bf5562a2f2083f33ee7d578cee0abb.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "2dfed44fc1fbd603788ca861225c4337a7dd39d2b9965909cb65987312e66f7a";
+const char planar_rpr_speed_ratio_digest[] = "9839fa64e77ee838ac9aadb6cc571a6be2bf5562a2f2083f33ee7d578cee0abb";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 2dfed44fc1fbd603788ca861225c4337a7dd39d2b9965909cb65987312e66f7a.
+ * Made from templates/kernel.h.j2; inputs 9839fa64e77ee838ac9aadb6cc571a6be2bf5562a2f2083f33ee7d578cee0abb.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2dfed44fc1fbd603788ca861225c4337a7dd39d2b9965909cb65987312e66f7a.
+Made from templates/kernel.py.j2; inputs 9839fa64e77ee838ac9aadb6cc571a6be2bf5562a2f2083f33ee7d578cee0abb.
 1003 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -72,7 +72,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t18 = ty * t5 - tx * t7
     t19 = t8 * t8 + t18 * t18
     t20 = t8 * (t3 + t3) + t18 * (t14 + t14)
-    t21 = -2.0 * t14
+    t21 = -2 * t14
     t22 = t13 + t13
     t23 = ty * t11 - tx * t12
     t24 = t23 + t23
@@ -82,13 +82,13 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t28 = t17 + (t3 * t10 + l1 * (s1 * tx - c1 * ty))
     t29 = t13 * t13 + t23 * t23
     t30 = 1.4210854715202004e-14 * np.sqrt((t10 * t10 + l1 * l1 + l3 * l3))
-    t31 = 0.5 - 0.5 * np.copysign(1.0, t30 - np.copysign(t9, 1.0))
-    t32 = 1.0 - t31
+    t31 = 0.5 - 0.5 * np.copysign(1, t30 - np.copysign(t9, 1))
+    t32 = 1 - t31
     t33 = t14 * t32 + t18 * t31
     t34 = t3 * t32 + t8 * t31
-    t35 = 1.4210854715202004e-14 + t30 * t31 - 1.4210854715202004e-14 * t31 - np.copysign((-t34), 1.0)
-    t36 = 0.5 - 0.5 * np.copysign(1.0, t35)
-    t37 = t36 / (1.0 - t36 - t34 * t36)
+    t35 = 1.4210854715202004e-14 + t30 * t31 - 1.4210854715202004e-14 * t31 - np.copysign((-t34), 1)
+    t36 = 0.5 - 0.5 * np.copysign(1, t35)
+    t37 = t36 / (1 - t36 - t34 * t36)
     t38 = t37 * (t3 * t31 + t8 * t32)
     t39 = t14 * t31 + t18 * t32 + t33 * t38
     t40 = t39 * t39
@@ -102,8 +102,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t48 = t21 * t32 + t26 * t31
     t49 = t47 + t38 * t48
     t50 = t28 + t45 * (t41 * t41) + t41 * t48
-    t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
-    t52 = t49 * t49 - t50 * (4.0 * t46)
+    t51 = t49 * (t43 + t43) - t50 * (4 * t40) - t46 * (4 * t44)
+    t52 = t49 * t49 - t50 * (4 * t46)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -216,17 +216,17 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t23 = t17 + t17
     t24 = t11 * t22 + t19 * t23
     t25 = tx * t1 + t3 * ty
-    t26 = -2.0 * t25
+    t26 = -2 * t25
     t27 = t13 * t22 + t23 * t25
     t28 = t11 * (t13 + t13) + t19 * (t25 + t25)
     t29 = t13 * t13 + t25 * t25
     t30 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + l1 * l1 + l3 * l3))
-    t31 = 0.5 - 0.5 * np.copysign(1.0, t30 - np.copysign(t12, 1.0))
-    t32 = 1.0 - t31
+    t31 = 0.5 - 0.5 * np.copysign(1, t30 - np.copysign(t12, 1))
+    t32 = 1 - t31
     t33 = t17 * t32 + t19 * t31
     t34 = t10 * t32 + t11 * t31
-    t35 = 0.5 - 0.5 * np.copysign(1.0, t30 - np.copysign((-t34), 1.0))
-    t36 = t35 / (1.0 - t35 - t34 * t35)
+    t35 = 0.5 - 0.5 * np.copysign(1, t30 - np.copysign((-t34), 1))
+    t36 = t35 / (1 - t35 - t34 * t35)
     t37 = t36 * (t10 * t31 + t11 * t32)
     t38 = t17 * t31 + t19 * t32 + t33 * t37
     t39 = t38 * t38
@@ -240,8 +240,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t47 = t26 * t32
     t48 = t46 + t37 * t47
     t49 = t44 * (t40 * t40) + t40 * t47
-    t50 = t48 * (t42 + t42) - t49 * (4.0 * t39) - t45 * (4.0 * t43)
-    t51 = t48 * t48 - t49 * (4.0 * t45)
+    t50 = t48 * (t42 + t42) - t49 * (4 * t39) - t45 * (4 * t43)
+    t51 = t48 * t48 - t49 * (4 * t45)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -349,7 +349,7 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t18 = t10 * t10 + t17 * t17
     t19 = tx * t1 + t3 * ty
     t20 = t11 * t11 + t19 * t19
-    t21 = -2.0 * t19
+    t21 = -2 * t19
     t22 = t10 + t10
     t23 = t17 + t17
     t24 = t11 * t22 + t19 * t23
@@ -358,14 +358,14 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t27 = t13 * t22 + t23 * t26
     t28 = t13 * (t11 + t11) + t26 * (t19 + t19)
     t29 = t13 * t13 + t26 * t26
-    t30 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t12, 1.0))
-    t31 = 1.0 - t30
+    t30 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t12, 1))
+    t31 = 1 - t30
     t32 = t17 * t31 + t19 * t30
     t33 = 1.4210854715202004e-14 * np.sqrt((t2 * t2 + l1 * l1 + l3 * l3))
     t34 = t10 * t31 + t11 * t30
-    t35 = np.copysign(1.0, 1.4210854715202004e-14 * t30 + t31 * t33 - np.copysign((-t34), 1.0))
+    t35 = np.copysign(1, 1.4210854715202004e-14 * t30 + t31 * t33 - np.copysign((-t34), 1))
     t36 = 0.5 - 0.5 * t35
-    t37 = t36 / (1.0 - t36 - t34 * t36)
+    t37 = t36 / (1 - t36 - t34 * t36)
     t38 = t37 * (t10 * t30 + t11 * t31)
     t39 = t17 * t30 + t19 * t31 + t32 * t38
     t40 = t39 * t39
@@ -379,8 +379,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t48 = t25 * t31
     t49 = t47 + t38 * t48
     t50 = t15 + t45 * (t41 * t41) + t41 * t48
-    t51 = t49 * (t43 + t43) - t50 * (4.0 * t40) - t46 * (4.0 * t44)
-    t52 = t49 * t49 - t50 * (4.0 * t46)
+    t51 = t49 * (t43 + t43) - t50 * (4 * t40) - t46 * (4 * t44)
+    t52 = t49 * t49 - t50 * (4 * t46)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -474,7 +474,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     kappa_s = curvature[..., 1]
 
     # terms
-    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t1 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t2 = tx / t1
     t3 = ty / t1
     t4 = np.sqrt((t2 * t2 + t3 * t3))
@@ -495,7 +495,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t19 = t10 * t12 - t5 * t14
     t20 = t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19
     t21 = np.sqrt((t7 * t7 + l1 * l1 + l3 * l3))
-    t22 = t21 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t21, 1.0)))
+    t22 = t21 + (0.5 + 0.5 * np.copysign(1, 7.888609052210118e-31 - np.copysign(t21, 1)))
     t23 = t22 * t22
     t24 = 1.4210854715202004e-14 * np.sqrt((t20 + t23))
     t25 = 1.4142135623730951 * t22
@@ -508,8 +508,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t32 = t16 * t19 - t17 * t18
     t33 = t32 * t32
     t34 = np.sqrt((t29 + t31 + t33 / t23))
-    t35 = 0.5 - 0.5 * np.copysign(1.0, t24 * t25 - np.copysign((t22 * t34), 1.0))
-    t36 = 1.0 - t35
+    t35 = 0.5 - 0.5 * np.copysign(1, t24 * t25 - np.copysign((t22 * t34), 1))
+    t36 = 1 - t35
     t37 = t35 / (t36 + t35 * np.sqrt((t31 + (t29 + t33))))
     t38 = t30 * t37
     t39 = t32 * t37
@@ -533,27 +533,27 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t57 = t41 * t41
     t58 = t38 + t41
     t59 = t39 * (t41 * t42) - t44 * t57 - t47 * t57 - t49 * (t58 * t58)
-    t60 = np.copysign(t59, 1.0)
-    t61 = 0.5 - 0.5 * np.copysign(1.0, t56 - t60)
+    t60 = np.copysign(t59, 1)
+    t61 = 0.5 - 0.5 * np.copysign(1, t56 - t60)
     t62 = t45 + t50 * t50 + t43 * t43 / t23
     t63 = np.sqrt(t62)
     t64 = t54 * (t55 * (t63 + t63))
     t65 = t27 + t27
     t66 = t42 * (t39 * t40 + t41 * t43) - t41 * (t40 * (t7 * t65))
     t67 = t66 - t41 * (t40 * (l1 * (t46 + t46))) - t58 * (t51 * (l3 * (t48 + t48)))
-    t68 = np.copysign(t67, 1.0)
+    t68 = np.copysign(t67, 1)
     t69 = t54 * t62
-    t70 = np.copysign(t53, 1.0)
-    t71 = (t64 + t64) * t68 + t60 * (4.0 * t69) + 4.0 * t56 * t70
-    t72 = t67 * t67 - t59 * (4.0 * t53)
+    t70 = np.copysign(t53, 1)
+    t71 = (t64 + t64) * t68 + t60 * (4 * t69) + 4 * t56 * t70
+    t72 = t67 * t67 - t59 * (4 * t53)
     t73 = np.maximum(0.0, t72)
-    t74 = t61 * (0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(t73, 1.0)))
-    t75 = 1.0 - t74
+    t74 = t61 * (0.5 - 0.5 * np.copysign(1, t71 - np.copysign(t73, 1)))
+    t75 = 1 - t74
     t76 = t74 * (-0.5 * t67 - 0.5 * np.copysign(np.sqrt(t73), t67))
-    t77 = 1.0 - t61
-    t78 = 0.5 - 0.5 * np.copysign(1.0, t64 - t68)
+    t77 = 1 - t61
+    t78 = 0.5 - 0.5 * np.copysign(1, t64 - t68)
     t79 = t77 * t78
-    t80 = t61 * t67 / (t77 + t59 * (t61 + t61)) + t53 * t79 / (1.0 - t79 + t67 * t79)
+    t80 = t61 * t67 / (t77 + t59 * (t61 + t61)) + t53 * t79 / (1 - t79 + t67 * t79)
     t81 = t53 * t74 / (t75 + t76) - t75 * t80
     t82 = t35 * (t40 + t41 * t81)
     t83 = t35 * (t43 + t39 * t81)
@@ -563,18 +563,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t87 = t85 * (t40 + t41 * t86)
     t88 = t85 * (t43 + t39 * t86)
     t89 = t85 * (t50 + t38 * t86)
-    t90 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t82, 1.0), np.copysign(t84, 1.0)), np.copysign((t83 / t22), 1.0))
+    t90 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t82, 1), np.copysign(t84, 1)), np.copysign((t83 / t22), 1))
     t91 = leads1 + leads3 + t22 * leads2
     t92 = t82 * leads1 + t83 * leads2 + t84 * leads3
-    t93 = 0.5 - 0.5 * np.copysign(1.0, t90 * t91 - np.copysign(t92, 1.0))
-    t94 = 1.0 - t93
+    t93 = 0.5 - 0.5 * np.copysign(1, t90 * t91 - np.copysign(t92, 1))
+    t94 = 1 - t93
     t95 = t93 / (t94 + t92 * t93)
-    t96 = 1.0 - leads1
-    t97 = 1.0 - leads3
-    t98 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t87, 1.0), np.copysign(t89, 1.0)), np.copysign((t88 / t22), 1.0))
+    t96 = 1 - leads1
+    t97 = 1 - leads3
+    t98 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t87, 1), np.copysign(t89, 1)), np.copysign((t88 / t22), 1))
     t99 = t87 * leads1 + t88 * leads2 + t89 * leads3
-    t100 = 0.5 - 0.5 * np.copysign(1.0, t91 * t98 - np.copysign(t99, 1.0))
-    t101 = 1.0 - t100
+    t100 = 0.5 - 0.5 * np.copysign(1, t91 * t98 - np.copysign(t99, 1))
+    t101 = 1 - t100
     t102 = t100 / (t101 + t99 * t100)
     t103 = t82 * t82
     t104 = t82 + t84
@@ -589,18 +589,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t113 = l3 * (t5 * t9 + t12 * t13)
     t114 = t103 * t111 + t103 * t112 + t105 * t113 + t83 * (t65 * t82)
     t115 = t82 * t103
-    t116 = -3.0 * t106 * t114 + t111 * t115 + t112 * t115 + t113 * (t104 * t105)
-    t117 = 3.0 * t27
+    t116 = -3 * t106 * t114 + t111 * t115 + t112 * t115 + t113 * (t104 * t105)
+    t117 = 3 * t27
     t118 = t116 + t103 * (t83 * t117)
     t119 = t107 * t111 + t107 * t112 + t109 * t113 + t88 * (t65 * t87)
     t120 = t87 * t107
-    t121 = -3.0 * t110 * t119 + t111 * t120 + t112 * t120 + t113 * (t108 * t109)
+    t121 = -3 * t110 * t119 + t111 * t120 + t112 * t120 + t113 * (t108 * t109)
     t122 = t121 + t107 * (t88 * t117)
-    t123 = 0.5 - 0.5 * np.copysign(1.0, t71 - np.copysign(np.maximum(0.0, -t72), 1.0))
+    t123 = 0.5 - 0.5 * np.copysign(1, t71 - np.copysign(np.maximum(0.0, -t72), 1))
     t124 = t61 * t123
-    t125 = 4.0 + t35 * (t61 * t124 + t77 * (2.0 + t78)) - 4.0 * t35
-    t126 = np.copysign((-(t122 + kappa_s)), 1.0) - np.copysign((-(t118 + kappa_s)), 1.0)
-    t127 = t77 * (1.0 - t78) * (0.5 + 0.5 * np.copysign(1.0, t69 - t70))
+    t125 = 4 + t35 * (t61 * t124 + t77 * (2 + t78)) - 4 * t35
+    t126 = np.copysign((-(t122 + kappa_s)), 1) - np.copysign((-(t118 + kappa_s)), 1)
+    t127 = t77 * (1 - t78) * (0.5 + 0.5 * np.copysign(1, t69 - t70))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -627,9 +627,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = -t118
     tracked_rate[..., 1] = -t122
     verdict[..., 0] = t125
-    verdict[..., 1] = t35 * (1.0 + t74)
-    verdict[..., 2] = t74 * (0.5 * t35) * (1.0 - np.copysign(1.0, t126))
-    verdict[..., 3] = t35 * (t79 + t61 * (1.0 - t124) + t127)
+    verdict[..., 1] = t35 * (1 + t74)
+    verdict[..., 2] = t74 * (0.5 * t35) * (1 - np.copysign(1, t126))
+    verdict[..., 3] = t35 * (t79 + t61 * (1 - t124) + t127)
     verdict[..., 4] = t85 * t101 + t35 * t94
     parabola[..., 0] = t59
     parabola[..., 1] = t67

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs a1261ed9199d9df75adacfb0efb0f1aec6aeed19e1cb7362d14c1d578ebd0816.
+ * Made from templates/kernel.c.j2; inputs c4f4a585b43a7a40b3b9a2558fcfc0f9be6db663268f9436ac55007a603521b3.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "a1261ed9199d9df75adacfb0efb0f1aec6aeed19e1cb7362d14c1d578ebd0816";
+const char planar_rrp_kinematics_digest[] = "c4f4a585b43a7a40b3b9a2558fcfc0f9be6db663268f9436ac55007a603521b3";
 #endif
 
 #define LANES 64

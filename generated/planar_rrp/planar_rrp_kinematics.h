@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs a1261ed9199d9df75adacfb0efb0f1aec6aeed19e1cb7362d14c1d578ebd0816.
+ * Made from templates/kernel.h.j2; inputs c4f4a585b43a7a40b3b9a2558fcfc0f9be6db663268f9436ac55007a603521b3.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a1261ed9199d9df75adacfb0efb0f1aec6aeed19e1cb7362d14c1d578ebd0816.
+Made from templates/kernel.py.j2; inputs c4f4a585b43a7a40b3b9a2558fcfc0f9be6db663268f9436ac55007a603521b3.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -94,7 +94,7 @@ def pose(q, parameters):
     pose[..., 5] = s1 * l1 + t2 * l2 + t4 * t5
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -185,8 +185,8 @@ def jacobian_x_alpha(q, parameters):
     jacobian[..., 0] = -t4
     jacobian[..., 1] = -(t4 - t1)
     jacobian[..., 2] = cos_heading3 * t3 - t2 * sin_heading3
-    jacobian[..., 3] = 1.0
-    jacobian[..., 4] = 1.0
+    jacobian[..., 3] = 1
+    jacobian[..., 4] = 1
     jacobian[..., 5] = 0.0
     return jacobian.reshape(_leading + (2, 3))
 
@@ -237,8 +237,8 @@ def jacobian_pose(q, parameters):
     jacobian[..., 3] = t9
     jacobian[..., 4] = t9 - t8
     jacobian[..., 5] = t4
-    jacobian[..., 6] = 1.0
-    jacobian[..., 7] = 1.0
+    jacobian[..., 6] = 1
+    jacobian[..., 7] = 1
     jacobian[..., 8] = 0.0
     return jacobian.reshape(_leading + (3, 3))
 
@@ -344,12 +344,12 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t7
     jacobian[..., 1] = -(t7 - t6)
     jacobian[..., 2] = t3
-    jacobian[..., 3] = 1.0
-    jacobian[..., 4] = 1.0
+    jacobian[..., 3] = 1
+    jacobian[..., 4] = 1
     jacobian[..., 5] = 0.0
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
@@ -404,14 +404,14 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = t9
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t9
     jacobian[..., 1] = -(t9 - t8)
     jacobian[..., 2] = t3
     jacobian[..., 3] = t7
     jacobian[..., 4] = t7 - t5
     jacobian[..., 5] = t4
-    jacobian[..., 6] = 1.0
-    jacobian[..., 7] = 1.0
+    jacobian[..., 6] = 1
+    jacobian[..., 7] = 1
     jacobian[..., 8] = 0.0
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))

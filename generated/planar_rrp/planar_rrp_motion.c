@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs fd32a1696af8afe3298bc09979532fc349cd8b2b865df1790a88079a1d8795ca.
+ * Made from templates/kernel.c.j2; inputs 004a6850567c034ee48fa9ac1e8c6e9a84e6e81b124aa6d0342da2cb2f83fa8a.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "fd32a1696af8afe3298bc09979532fc349cd8b2b865df1790a88079a1d8795ca";
+const char planar_rrp_motion_digest[] = "004a6850567c034ee48fa9ac1e8c6e9a84e6e81b124aa6d0342da2cb2f83fa8a";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fd32a1696af8afe3298bc09979532fc349cd8b2b865df1790a88079a1d8795ca.
+Made from templates/kernel.py.j2; inputs 004a6850567c034ee48fa9ac1e8c6e9a84e6e81b124aa6d0342da2cb2f83fa8a.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -77,40 +77,40 @@ def tip_motion(q, parameters, rates, second, third):
     t22 = t3 * t13 - t20 - t5 * t21
     t23 = c1 * t16 - s1 * t15 + t1 * t19 - t2 * t17
     t24 = t23 + t3 * t21 + t5 * t13
-    t25 = l1 * (dq1 * (-3.0 * ddq1))
+    t25 = l1 * (dq1 * (-3 * ddq1))
     t26 = dq1 * t14
     t27 = l1 * dddq1 - l1 * t26
-    t28 = t18 * (t7 * (-3.0 * l2))
+    t28 = t18 * (t7 * (-3 * l2))
     t29 = dddq1 + dddq2
     t30 = t7 * t12
     t31 = l2 * t29 - l2 * t30
     t32 = c1 * t25 - s1 * t27 + t1 * t28 - t2 * t31
-    t33 = 3.0 * dq3
-    t34 = 3.0 * t4
+    t33 = 3 * dq3
+    t34 = 3 * t4
     t35 = dddq3 - t12 * t33 - t18 * (t7 * t34)
-    t36 = t4 * t29 + t7 * (3.0 * ddq3) + t18 * t33 - t4 * t30
+    t36 = t4 * t29 + t7 * (3 * ddq3) + t18 * t33 - t4 * t30
     t37 = t32 + t3 * t35 - t5 * t36
     t38 = c1 * t27 + s1 * t25 + t1 * t31 + t2 * t28
     t39 = t38 + t3 * t36 + t5 * t35
-    t40 = l1 * (dq1 * t26) - 3.0 * l1 * (ddq1 * ddq1) - l1 * (dq1 * (4.0 * dddq1))
-    t41 = t14 * (l1 * (-6.0 * ddq1))
+    t40 = l1 * (dq1 * t26) - 3 * l1 * (ddq1 * ddq1) - l1 * (dq1 * (4 * dddq1))
+    t41 = t14 * (l1 * (-6 * ddq1))
     t42 = t7 * t30
     t43 = t18 * t18
-    t44 = l2 * t42 - 3.0 * l2 * t43 - t29 * (t7 * (4.0 * l2))
-    t45 = t12 * (t18 * (-6.0 * l2))
+    t44 = l2 * t42 - 3 * l2 * t43 - t29 * (t7 * (4 * l2))
+    t45 = t12 * (t18 * (-6 * l2))
     t46 = c1 * t40 - s1 * t41 + t1 * t44 - t2 * t45
-    t47 = 6.0 * ddq3
-    t48 = t4 * t42 - t12 * t47 - t34 * t43 - t18 * (t7 * (12.0 * dq3))
-    t49 = t48 - t29 * (t7 * (4.0 * t4))
-    t50 = 4.0 * dq3
-    t51 = t7 * (4.0 * dddq3) + t29 * t50 + t18 * t47 - t30 * t50
-    t52 = t51 - t12 * (t18 * (6.0 * t4))
+    t47 = 6 * ddq3
+    t48 = t4 * t42 - t12 * t47 - t34 * t43 - t18 * (t7 * (12 * dq3))
+    t49 = t48 - t29 * (t7 * (4 * t4))
+    t50 = 4 * dq3
+    t51 = t7 * (4 * dddq3) + t29 * t50 + t18 * t47 - t30 * t50
+    t52 = t51 - t12 * (t18 * (6 * t4))
     t53 = t46 + t3 * t49 - t5 * t52
     t54 = c1 * t41 + s1 * t40 + t1 * t45 + t2 * t44
     t55 = t54 + t3 * t52 + t5 * t49
     t56 = np.sqrt((t10 * t10 + t11 * t11))
     t57 = t10 * t24 - t11 * t22
-    t58 = 1.0 / t56
+    t58 = 1 / t56
     t59 = t58 * t58
     t60 = t10 * t39 - t11 * t37
     t61 = t59 * t59

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs e8145915c5099632e79c5b3b4853f1eb5ee5f54697255446eeaf006574e41fbe.
+ * Made from templates/kernel.c.j2; inputs 9a478e051c1a450416e5e73b3c5f62bf9b930ef83ed34f320a83dea90a224264.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "e8145915c5099632e79c5b3b4853f1eb5ee5f54697255446eeaf006574e41fbe";
+const char planar_rrp_speed_ratio_digest[] = "9a478e051c1a450416e5e73b3c5f62bf9b930ef83ed34f320a83dea90a224264";
 #endif
 
 #define LANES 64

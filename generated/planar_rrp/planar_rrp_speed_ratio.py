@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e8145915c5099632e79c5b3b4853f1eb5ee5f54697255446eeaf006574e41fbe.
+Made from templates/kernel.py.j2; inputs 9a478e051c1a450416e5e73b3c5f62bf9b930ef83ed34f320a83dea90a224264.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -75,7 +75,7 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t21 = t12 * t12 + t20 * t20
     t22 = t4 * tx + t9 * ty
     t23 = t13 * t13 + t22 * t22
-    t24 = -2.0 * t22
+    t24 = -2 * t22
     t25 = t13 * (t12 + t12) + t22 * (t20 + t20)
     t26 = t5 * (t13 + t13) + l2 * (t17 + t17)
     t27 = t15 + t15
@@ -85,14 +85,14 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t31 = t13 * t27 + t22 * t29
     t32 = t18 + (t16 + l1 * (s1 * tx - c1 * ty))
     t33 = t15 * t15 + t28 * t28
-    t34 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t14, 1.0))
-    t35 = 1.0 - t34
+    t34 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t14, 1))
+    t35 = 1 - t34
     t36 = t20 * t35 + t22 * t34
     t37 = 1.4210854715202004e-14 * np.sqrt((t5 * t5 + l1 * l1 + l2 * l2))
     t38 = t12 * t35 + t13 * t34
-    t39 = np.copysign(1.0, 1.4210854715202004e-14 * t34 + t35 * t37 - np.copysign((-t38), 1.0))
+    t39 = np.copysign(1, 1.4210854715202004e-14 * t34 + t35 * t37 - np.copysign((-t38), 1))
     t40 = 0.5 - 0.5 * t39
-    t41 = t40 / (1.0 - t40 - t38 * t40)
+    t41 = t40 / (1 - t40 - t38 * t40)
     t42 = t41 * (t12 * t34 + t13 * t35)
     t43 = t20 * t34 + t22 * t35 + t36 * t42
     t44 = t43 * t43
@@ -106,8 +106,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t52 = t24 * t34 + t26 * t35
     t53 = t51 + t24 * t45 + t42 * t52
     t54 = t32 + t49 * (t45 * t45) + t45 * t52
-    t55 = t53 * (t47 + t47) - t54 * (4.0 * t44) - t50 * (4.0 * t48)
-    t56 = t53 * t53 - t54 * (4.0 * t50)
+    t55 = t53 * (t47 + t47) - t54 * (4 * t44) - t50 * (4 * t48)
+    t56 = t53 * t53 - t54 * (4 * t50)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -218,7 +218,7 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t21 = t10 * t10 + t20 * t20
     t22 = tx * t4 + ty * t8
     t23 = t11 * t11 + t22 * t22
-    t24 = -2.0 * t22
+    t24 = -2 * t22
     t25 = t10 + t10
     t26 = t20 + t20
     t27 = t11 * t25 + t22 * t26
@@ -228,14 +228,14 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t31 = t11 * (t15 + t15) + t22 * (t29 + t29)
     t32 = t16 + t18
     t33 = t15 * t15 + t29 * t29
-    t34 = 0.5 - 0.5 * np.copysign(1.0, 1.4210854715202004e-14 - np.copysign(t12, 1.0))
-    t35 = 1.0 - t34
+    t34 = 0.5 - 0.5 * np.copysign(1, 1.4210854715202004e-14 - np.copysign(t12, 1))
+    t35 = 1 - t34
     t36 = t20 * t35 + t22 * t34
     t37 = 1.4210854715202004e-14 * np.sqrt((t5 * t5 + l1 * l1 + l2 * l2))
     t38 = t10 * t35 + t11 * t34
-    t39 = np.copysign(1.0, 1.4210854715202004e-14 * t34 + t35 * t37 - np.copysign((-t38), 1.0))
+    t39 = np.copysign(1, 1.4210854715202004e-14 * t34 + t35 * t37 - np.copysign((-t38), 1))
     t40 = 0.5 - 0.5 * t39
-    t41 = t40 / (1.0 - t40 - t38 * t40)
+    t41 = t40 / (1 - t40 - t38 * t40)
     t42 = t41 * (t10 * t34 + t11 * t35)
     t43 = t20 * t34 + t22 * t35 + t36 * t42
     t44 = t43 * t43
@@ -249,8 +249,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t52 = t24 * t34 + t28 * t35
     t53 = t51 + t24 * t45 + t42 * t52
     t54 = t32 + t49 * (t45 * t45) + t45 * t52
-    t55 = t53 * (t47 + t47) - t54 * (4.0 * t44) - t50 * (4.0 * t48)
-    t56 = t53 * t53 - t54 * (4.0 * t50)
+    t55 = t53 * (t47 + t47) - t54 * (4 * t44) - t50 * (4 * t48)
+    t56 = t53 * t53 - t54 * (4 * t50)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -367,17 +367,17 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t27 = t20 + t20
     t28 = t13 * t26 + t23 * t27
     t29 = tx * t4 + ty * t8
-    t30 = -2.0 * t29
+    t30 = -2 * t29
     t31 = t15 * t26 + t27 * t29
     t32 = t15 * (t13 + t13) + t29 * (t23 + t23)
     t33 = t15 * t15 + t29 * t29
     t34 = 1.4210854715202004e-14 * np.sqrt((t5 * t5 + l1 * l1 + l2 * l2))
-    t35 = 0.5 - 0.5 * np.copysign(1.0, t34 - np.copysign(t14, 1.0))
-    t36 = 1.0 - t35
+    t35 = 0.5 - 0.5 * np.copysign(1, t34 - np.copysign(t14, 1))
+    t36 = 1 - t35
     t37 = t20 * t36 + t23 * t35
     t38 = t10 * t36 + t13 * t35
-    t39 = 0.5 - 0.5 * np.copysign(1.0, t34 - np.copysign((-t38), 1.0))
-    t40 = t39 / (1.0 - t39 - t38 * t39)
+    t39 = 0.5 - 0.5 * np.copysign(1, t34 - np.copysign((-t38), 1))
+    t40 = t39 / (1 - t39 - t38 * t39)
     t41 = t40 * (t10 * t35 + t13 * t36)
     t42 = t20 * t35 + t23 * t36 + t37 * t41
     t43 = t42 * t42
@@ -389,8 +389,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t49 = t19 * t35 + t22 * t36 + t48 * (t41 * t41) + t25 * t41
     t50 = t30 + t41 * (t44 * (t48 + t48)) + t25 * t44 + t30 * t41
     t51 = t48 * (t44 * t44) + t30 * t44
-    t52 = t50 * (t46 + t46) - t51 * (4.0 * t43) - t49 * (4.0 * t47)
-    t53 = t50 * t50 - t51 * (4.0 * t49)
+    t52 = t50 * (t46 + t46) - t51 * (4 * t43) - t49 * (4 * t47)
+    t53 = t50 * t50 - t51 * (4 * t49)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -484,7 +484,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     kappa_s = curvature[..., 1]
 
     # terms
-    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t1 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t2 = tx / t1
     t3 = ty / t1
     t4 = np.sqrt((t2 * t2 + t3 * t3))
@@ -507,7 +507,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t21 = t12 * t17 - t5 * t18
     t22 = t16 * t16 + t19 * t19 + t20 * t20 + t21 * t21
     t23 = np.sqrt((t10 * t10 + l1 * l1 + l2 * l2))
-    t24 = t23 + (0.5 + 0.5 * np.copysign(1.0, 7.888609052210118e-31 - np.copysign(t23, 1.0)))
+    t24 = t23 + (0.5 + 0.5 * np.copysign(1, 7.888609052210118e-31 - np.copysign(t23, 1)))
     t25 = t24 * t24
     t26 = 1.4210854715202004e-14 * np.sqrt((t22 + t25))
     t27 = 1.4142135623730951 * t24
@@ -519,8 +519,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t33 = t19 * t20 - t16 * t21
     t34 = t33 * t33
     t35 = np.sqrt((t32 + t34 / t25))
-    t36 = 0.5 - 0.5 * np.copysign(1.0, t26 * t27 - np.copysign((t24 * t35), 1.0))
-    t37 = 1.0 - t36
+    t36 = 0.5 - 0.5 * np.copysign(1, t26 * t27 - np.copysign((t24 * t35), 1))
+    t37 = 1 - t36
     t38 = t36 / (t37 + t36 * np.sqrt((t32 + t34)))
     t39 = t33 * t38
     t40 = t31 * t38
@@ -546,27 +546,27 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t60 = t59 * t59
     t61 = t39 * t43 * t59 - t47 * t60 - t50 * (t42 * t42)
     t62 = t61 - t53 * t60
-    t63 = np.copysign(t62, 1.0)
-    t64 = 0.5 - 0.5 * np.copysign(1.0, t58 - t63)
+    t63 = np.copysign(t62, 1)
+    t64 = 0.5 - 0.5 * np.copysign(1, t58 - t63)
     t65 = t51 + t45 * t45 + t44 * t44 / t25
     t66 = np.sqrt(t65)
     t67 = t56 * (t57 * (t66 + t66))
     t68 = t28 + t28
     t69 = t43 * (t44 * t59 + t39 * t46) - t59 * (t46 * (t10 * t68))
     t70 = t69 - t42 * (t41 * (l1 * (t49 + t49))) - t59 * (t46 * (l2 * (t52 + t52)))
-    t71 = np.copysign(t70, 1.0)
+    t71 = np.copysign(t70, 1)
     t72 = t56 * t65
-    t73 = np.copysign(t55, 1.0)
-    t74 = (t67 + t67) * t71 + t63 * (4.0 * t72) + 4.0 * t58 * t73
-    t75 = t70 * t70 - t62 * (4.0 * t55)
+    t73 = np.copysign(t55, 1)
+    t74 = (t67 + t67) * t71 + t63 * (4 * t72) + 4 * t58 * t73
+    t75 = t70 * t70 - t62 * (4 * t55)
     t76 = np.maximum(0.0, t75)
-    t77 = t64 * (0.5 - 0.5 * np.copysign(1.0, t74 - np.copysign(t76, 1.0)))
-    t78 = 1.0 - t77
+    t77 = t64 * (0.5 - 0.5 * np.copysign(1, t74 - np.copysign(t76, 1)))
+    t78 = 1 - t77
     t79 = t77 * (-0.5 * t70 - 0.5 * np.copysign(np.sqrt(t76), t70))
-    t80 = 1.0 - t64
-    t81 = 0.5 - 0.5 * np.copysign(1.0, t67 - t71)
+    t80 = 1 - t64
+    t81 = 0.5 - 0.5 * np.copysign(1, t67 - t71)
     t82 = t80 * t81
-    t83 = t64 * t70 / (t80 + t62 * (t64 + t64)) + t55 * t82 / (1.0 - t82 + t70 * t82)
+    t83 = t64 * t70 / (t80 + t62 * (t64 + t64)) + t55 * t82 / (1 - t82 + t70 * t82)
     t84 = t55 * t77 / (t78 + t79) - t78 * t83
     t85 = t36 * (t41 + t42 * t84)
     t86 = t36 * (t45 + t40 * t84)
@@ -576,18 +576,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t90 = t88 * (t41 + t42 * t89)
     t91 = t88 * (t45 + t40 * t89)
     t92 = t88 * (t44 + t39 * t89)
-    t93 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t85, 1.0), np.copysign(t86, 1.0)), np.copysign((t87 / t24), 1.0))
+    t93 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t85, 1), np.copysign(t86, 1)), np.copysign((t87 / t24), 1))
     t94 = leads1 + leads2 + t24 * leads3
     t95 = t85 * leads1 + t86 * leads2 + t87 * leads3
-    t96 = 0.5 - 0.5 * np.copysign(1.0, t93 * t94 - np.copysign(t95, 1.0))
-    t97 = 1.0 - t96
+    t96 = 0.5 - 0.5 * np.copysign(1, t93 * t94 - np.copysign(t95, 1))
+    t97 = 1 - t96
     t98 = t96 / (t97 + t95 * t96)
-    t99 = 1.0 - leads1
-    t100 = 1.0 - leads3
-    t101 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t90, 1.0), np.copysign(t91, 1.0)), np.copysign((t92 / t24), 1.0))
+    t99 = 1 - leads1
+    t100 = 1 - leads3
+    t101 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t90, 1), np.copysign(t91, 1)), np.copysign((t92 / t24), 1))
     t102 = t90 * leads1 + t91 * leads2 + t92 * leads3
-    t103 = 0.5 - 0.5 * np.copysign(1.0, t94 * t101 - np.copysign(t102, 1.0))
-    t104 = 1.0 - t103
+    t103 = 0.5 - 0.5 * np.copysign(1, t94 * t101 - np.copysign(t102, 1))
+    t104 = 1 - t103
     t105 = t103 / (t104 + t102 * t103)
     t106 = t85 + t86
     t107 = t106 * t106
@@ -602,18 +602,18 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t116 = l2 * (t5 * t7 + t8 * t12)
     t117 = t107 * t114 + t108 * t115 + t107 * t116 + t106 * (t68 * t87)
     t118 = t106 * t107
-    t119 = -3.0 * t109 * t117 + t114 * t118 + t115 * (t85 * t108)
-    t120 = 3.0 * t28
+    t119 = -3 * t109 * t117 + t114 * t118 + t115 * (t85 * t108)
+    t120 = 3 * t28
     t121 = t119 + t116 * t118 + t107 * (t87 * t120)
     t122 = t111 * t114 + t112 * t115 + t111 * t116 + t110 * (t68 * t92)
     t123 = t110 * t111
-    t124 = -3.0 * t113 * t122 + t114 * t123 + t115 * (t90 * t112)
+    t124 = -3 * t113 * t122 + t114 * t123 + t115 * (t90 * t112)
     t125 = t124 + t116 * t123 + t111 * (t92 * t120)
-    t126 = 0.5 - 0.5 * np.copysign(1.0, t74 - np.copysign(np.maximum(0.0, -t75), 1.0))
+    t126 = 0.5 - 0.5 * np.copysign(1, t74 - np.copysign(np.maximum(0.0, -t75), 1))
     t127 = t64 * t126
-    t128 = 4.0 + t36 * (t64 * t127 + t80 * (2.0 + t81)) - 4.0 * t36
-    t129 = np.copysign((-(t125 + kappa_s)), 1.0) - np.copysign((-(t121 + kappa_s)), 1.0)
-    t130 = t80 * (1.0 - t81) * (0.5 + 0.5 * np.copysign(1.0, t72 - t73))
+    t128 = 4 + t36 * (t64 * t127 + t80 * (2 + t81)) - 4 * t36
+    t129 = np.copysign((-(t125 + kappa_s)), 1) - np.copysign((-(t121 + kappa_s)), 1)
+    t130 = t80 * (1 - t81) * (0.5 + 0.5 * np.copysign(1, t72 - t73))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -640,9 +640,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = -t121
     tracked_rate[..., 1] = -t125
     verdict[..., 0] = t128
-    verdict[..., 1] = t36 * (1.0 + t77)
-    verdict[..., 2] = t77 * (0.5 * t36) * (1.0 - np.copysign(1.0, t129))
-    verdict[..., 3] = t36 * (t82 + t64 * (1.0 - t127) + t130)
+    verdict[..., 1] = t36 * (1 + t77)
+    verdict[..., 2] = t77 * (0.5 * t36) * (1 - np.copysign(1, t129))
+    verdict[..., 3] = t36 * (t82 + t64 * (1 - t127) + t130)
     verdict[..., 4] = t88 * t104 + t36 * t97
     parabola[..., 0] = t62
     parabola[..., 1] = t70

@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.h: kinematics of planar_rrr.
- * Made from templates/kernel.h.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
+ * Made from templates/kernel.h.j2; inputs 00c92e95d1678cf42308fbf4b29af74ba764d262ced6d7c98ca7a141a7cde7bb.
  * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

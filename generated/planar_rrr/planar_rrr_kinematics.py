@@ -1,6 +1,6 @@
 """kinematics of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
+Made from templates/kernel.py.j2; inputs 00c92e95d1678cf42308fbf4b29af74ba764d262ced6d7c98ca7a141a7cde7bb.
 337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -90,7 +90,7 @@ def pose(q, parameters):
     pose[..., 5] = s1 * l1 + t2 * l2 + t4 * l3
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     return pose.reshape(_leading + (3, 3))
 
 
@@ -178,9 +178,9 @@ def jacobian_x_alpha(q, parameters):
     jacobian[..., 0] = -t4
     jacobian[..., 1] = -(t4 - t1)
     jacobian[..., 2] = -t3
-    jacobian[..., 3] = 1.0
-    jacobian[..., 4] = 1.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 3] = 1
+    jacobian[..., 4] = 1
+    jacobian[..., 5] = 1
     return jacobian.reshape(_leading + (2, 3))
 
 
@@ -228,9 +228,9 @@ def jacobian_pose(q, parameters):
     jacobian[..., 3] = t8
     jacobian[..., 4] = t8 - t6
     jacobian[..., 5] = t7
-    jacobian[..., 6] = 1.0
-    jacobian[..., 7] = 1.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 6] = 1
+    jacobian[..., 7] = 1
+    jacobian[..., 8] = 1
     return jacobian.reshape(_leading + (3, 3))
 
 
@@ -332,13 +332,13 @@ def kinematics_x_alpha(q, parameters):
     pose[..., 5] = t7
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t7
     jacobian[..., 1] = -(t7 - t5)
     jacobian[..., 2] = -t6
-    jacobian[..., 3] = 1.0
-    jacobian[..., 4] = 1.0
-    jacobian[..., 5] = 1.0
+    jacobian[..., 3] = 1
+    jacobian[..., 4] = 1
+    jacobian[..., 5] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (2, 3))
 
 
@@ -392,16 +392,16 @@ def kinematics_pose(q, parameters):
     pose[..., 5] = t10
     pose[..., 6] = 0.0
     pose[..., 7] = 0.0
-    pose[..., 8] = 1.0
+    pose[..., 8] = 1
     jacobian[..., 0] = -t10
     jacobian[..., 1] = -(t10 - t8)
     jacobian[..., 2] = -t9
     jacobian[..., 3] = t7
     jacobian[..., 4] = t7 - t5
     jacobian[..., 5] = t6
-    jacobian[..., 6] = 1.0
-    jacobian[..., 7] = 1.0
-    jacobian[..., 8] = 1.0
+    jacobian[..., 6] = 1
+    jacobian[..., 7] = 1
+    jacobian[..., 8] = 1
     return pose.reshape(_leading + (3, 3)), jacobian.reshape(_leading + (3, 3))
 
 

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421.
+ * Made from templates/kernel.c.j2; inputs 74e167583246d948144a08b3184559e642bce882fc6020a3951286dd62bbdc90.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421";
+const char planar_rrr_motion_digest[] = "74e167583246d948144a08b3184559e642bce882fc6020a3951286dd62bbdc90";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421.
+ * Made from templates/kernel.h.j2; inputs 74e167583246d948144a08b3184559e642bce882fc6020a3951286dd62bbdc90.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

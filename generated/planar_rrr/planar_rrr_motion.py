@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0178b28e9ca6ab2cc2960465593d6c1b8114d49897f3617b0db7916f2b283421.
+Made from templates/kernel.py.j2; inputs 74e167583246d948144a08b3184559e642bce882fc6020a3951286dd62bbdc90.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -79,34 +79,34 @@ def tip_motion(q, parameters, rates, second, third):
     t25 = t20 + t3 * t22 + t4 * t24
     t26 = c1 * t15 - s1 * t14 + t1 * t19 - t2 * t17
     t27 = t26 + t3 * t24 - t4 * t22
-    t28 = l1 * (dq1 * (-3.0 * ddq1))
+    t28 = l1 * (dq1 * (-3 * ddq1))
     t29 = dq1 * t13
     t30 = l1 * dddq1 - l1 * t29
-    t31 = t18 * (t6 * (-3.0 * l2))
+    t31 = t18 * (t6 * (-3 * l2))
     t32 = dddq1 + dddq2
     t33 = t6 * t16
     t34 = l2 * t32 - l2 * t33
     t35 = c1 * t28 - s1 * t30 + t1 * t31 - t2 * t34
-    t36 = t23 * (t8 * (-3.0 * l3))
+    t36 = t23 * (t8 * (-3 * l3))
     t37 = t32 + dddq3
     t38 = t8 * t21
     t39 = l3 * t37 - l3 * t38
     t40 = t35 + t3 * t36 - t4 * t39
     t41 = c1 * t30 + s1 * t28 + t1 * t34 + t2 * t31
     t42 = t41 + t3 * t39 + t4 * t36
-    t43 = l1 * (dq1 * t29) - 3.0 * l1 * (ddq1 * ddq1) - l1 * (dq1 * (4.0 * dddq1))
-    t44 = t13 * (l1 * (-6.0 * ddq1))
-    t45 = l2 * (t6 * t33) - 3.0 * l2 * (t18 * t18) - t32 * (t6 * (4.0 * l2))
-    t46 = t16 * (t18 * (-6.0 * l2))
+    t43 = l1 * (dq1 * t29) - 3 * l1 * (ddq1 * ddq1) - l1 * (dq1 * (4 * dddq1))
+    t44 = t13 * (l1 * (-6 * ddq1))
+    t45 = l2 * (t6 * t33) - 3 * l2 * (t18 * t18) - t32 * (t6 * (4 * l2))
+    t46 = t16 * (t18 * (-6 * l2))
     t47 = c1 * t43 - s1 * t44 + t1 * t45 - t2 * t46
-    t48 = l3 * (t8 * t38) - 3.0 * l3 * (t23 * t23) - t37 * (t8 * (4.0 * l3))
-    t49 = t21 * (t23 * (-6.0 * l3))
+    t48 = l3 * (t8 * t38) - 3 * l3 * (t23 * t23) - t37 * (t8 * (4 * l3))
+    t49 = t21 * (t23 * (-6 * l3))
     t50 = t47 + t3 * t48 - t4 * t49
     t51 = c1 * t44 + s1 * t43 + t1 * t46 + t2 * t45
     t52 = t51 + t3 * t49 + t4 * t48
     t53 = np.sqrt((t10 * t10 + t12 * t12))
     t54 = t12 * t25 - t10 * t27
-    t55 = 1.0 / t53
+    t55 = 1 / t53
     t56 = t55 * t55
     t57 = t10 * t42 + t12 * t40
     t58 = t56 * t56

@@ -1,6 +1,6 @@
 """manipulability (pose) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
+Made from templates/kernel.py.j2; inputs 00c92e95d1678cf42308fbf4b29af74ba764d262ced6d7c98ca7a141a7cde7bb.
 138 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -93,7 +93,7 @@ def manipulability_gradient_pose(q, parameters):
     t17 = l3 * t16
     t18 = c2 * (c3 * t13 + l2 * t12 - s3 * t17) - s2 * (s3 * t13 + c3 * t17 + l2 * t16)
     t19 = c3 * (c2 * t13 - s2 * t17) - s3 * (s2 * t13 + c2 * t17)
-    t20 = 1.0 / t8
+    t20 = 1 / t8
     t21 = t20 * t20
     t22 = -0.5 / t8 * np.sqrt(t20)
 

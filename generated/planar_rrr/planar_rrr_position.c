@@ -1,5 +1,5 @@
 /* planar_rrr_position.c: manipulability (position) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
+ * Made from templates/kernel.c.j2; inputs 00c92e95d1678cf42308fbf4b29af74ba764d262ced6d7c98ca7a141a7cde7bb.
  * 245 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_position_digest[] = "fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd";
+const char planar_rrr_position_digest[] = "00c92e95d1678cf42308fbf4b29af74ba764d262ced6d7c98ca7a141a7cde7bb";
 #endif
 
 #define LANES 64

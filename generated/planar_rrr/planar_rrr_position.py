@@ -1,6 +1,6 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
+Made from templates/kernel.py.j2; inputs 00c92e95d1678cf42308fbf4b29af74ba764d262ced6d7c98ca7a141a7cde7bb.
 245 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -83,7 +83,7 @@ def manipulability_gradient_position(q, parameters):
     t10 = c2 * (c3 * t9 + l2 * t8) - s2 * (s3 * t9)
     t11 = c3 * (t4 * (t5 / t6) + l2 * t7 + c2 * t9)
     t12 = t11 - s3 * (s2 * t9)
-    t13 = 1.0 / t6
+    t13 = 1 / t6
     t14 = t13 * t13
     t15 = -0.5 / t6 * np.sqrt(t13)
 
@@ -207,7 +207,7 @@ def null_projector_position(q, parameters):
     t8 = np.sqrt((t5 * t5 + (t7 + t7)))
     t9 = t6 / t8
     t10 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t9, 0.0), 0.0)
-    t11 = 1.0 - t10
+    t11 = 1 - t10
     t12 = l3 * (c2 * c3 - s3 * s2)
     t13 = l1 + c2 * l2 + t12
     t14 = t13 - l1
@@ -234,7 +234,7 @@ def null_projector_position(q, parameters):
     t35 = t29 / t30
     t36 = -(t34 + np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t35, 0.0), 0.0))
     t37 = -(t34 + np.where(t30 != 0.0, np.where(t30 != 0.0, t32 * t35, 0.0), 0.0))
-    t38 = 1.0 - np.where(t8 != 0.0, np.where(t8 != 0.0, t15 * t15, 0.0), 0.0) - np.where(t30 != 0.0, np.where(t30 != 0.0, t35 * t35, 0.0), 0.0)
+    t38 = 1 - np.where(t8 != 0.0, np.where(t8 != 0.0, t15 * t15, 0.0), 0.0) - np.where(t30 != 0.0, np.where(t30 != 0.0, t35 * t35, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 9), _real)

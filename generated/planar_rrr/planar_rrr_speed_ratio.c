@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs cf73335095b68e276685a293bfd6b313e952f3b0cbae91adf354ca6e961812ab.
+ * Made from templates/kernel.c.j2; inputs ce80b0ff918f2769befe4982784011a6ae20d813907b48035018d9ac1a38c045.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "cf73335095b68e276685a293bfd6b313e952f3b0cbae91adf354ca6e961812ab";
+const char planar_rrr_speed_ratio_digest[] = "ce80b0ff918f2769befe4982784011a6ae20d813907b48035018d9ac1a38c045";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.h: speed ratio of planar_rrr.
- * Made from templates/kernel.h.j2; inputs cf73335095b68e276685a293bfd6b313e952f3b0cbae91adf354ca6e961812ab.
+ * Made from templates/kernel.h.j2; inputs ce80b0ff918f2769befe4982784011a6ae20d813907b48035018d9ac1a38c045.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

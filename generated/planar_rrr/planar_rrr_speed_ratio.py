@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cf73335095b68e276685a293bfd6b313e952f3b0cbae91adf354ca6e961812ab.
+Made from templates/kernel.py.j2; inputs ce80b0ff918f2769befe4982784011a6ae20d813907b48035018d9ac1a38c045.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -87,12 +87,12 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t34 = t20 + (t18 + l1 * (s1 * tx - c1 * ty))
     t35 = t16 * t16 + t30 * t30
     t36 = 1.4210854715202004e-14 * np.sqrt((l1 * l1 + l2 * l2 + l3 * l3))
-    t37 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign(t15, 1.0))
-    t38 = 1.0 - t37
+    t37 = 0.5 - 0.5 * np.copysign(1, t36 - np.copysign(t15, 1))
+    t38 = 1 - t37
     t39 = t22 * t38 + t24 * t37
     t40 = t13 * t38 + t14 * t37
-    t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
-    t42 = t41 / (1.0 - t41 - t40 * t41)
+    t41 = 0.5 - 0.5 * np.copysign(1, t36 - np.copysign((-t40), 1))
+    t42 = t41 / (1 - t41 - t40 * t41)
     t43 = t42 * (t13 * t37 + t14 * t38)
     t44 = t22 * t37 + t24 * t38 + t39 * t43
     t45 = t44 * t44
@@ -106,8 +106,8 @@ def speed_ratio_terms_1(q, parameters, tangent, curvature):
     t53 = t26 * t37 + t28 * t38
     t54 = t52 + t26 * t46 + t43 * t53
     t55 = t34 + t50 * (t46 * t46) + t46 * t53
-    t56 = t54 * (t48 + t48) - t55 * (4.0 * t45) - t51 * (4.0 * t49)
-    t57 = t54 * t54 - t55 * (4.0 * t51)
+    t56 = t54 * (t48 + t48) - t55 * (4 * t45) - t51 * (4 * t49)
+    t57 = t54 * t54 - t55 * (4 * t51)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -230,12 +230,12 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t34 = t18 + t20
     t35 = t16 * t16 + t31 * t31
     t36 = 1.4210854715202004e-14 * np.sqrt((l1 * l1 + l2 * l2 + l3 * l3))
-    t37 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign(t13, 1.0))
-    t38 = 1.0 - t37
+    t37 = 0.5 - 0.5 * np.copysign(1, t36 - np.copysign(t13, 1))
+    t38 = 1 - t37
     t39 = t22 * t38 + t24 * t37
     t40 = t11 * t38 + t12 * t37
-    t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
-    t42 = t41 / (1.0 - t41 - t40 * t41)
+    t41 = 0.5 - 0.5 * np.copysign(1, t36 - np.copysign((-t40), 1))
+    t42 = t41 / (1 - t41 - t40 * t41)
     t43 = t42 * (t11 * t37 + t12 * t38)
     t44 = t22 * t37 + t24 * t38 + t39 * t43
     t45 = t44 * t44
@@ -249,8 +249,8 @@ def speed_ratio_terms_2(q, parameters, tangent, curvature):
     t53 = t26 * t37 + t30 * t38
     t54 = t52 + t26 * t46 + t43 * t53
     t55 = t34 + t50 * (t46 * t46) + t46 * t53
-    t56 = t54 * (t48 + t48) - t55 * (4.0 * t45) - t51 * (4.0 * t49)
-    t57 = t54 * t54 - t55 * (4.0 * t51)
+    t56 = t54 * (t48 + t48) - t55 * (4 * t45) - t51 * (4 * t49)
+    t57 = t54 * t54 - t55 * (4 * t51)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -373,12 +373,12 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t34 = t16 * (t14 + t14) + t32 * (t25 + t25)
     t35 = t16 * t16 + t32 * t32
     t36 = 1.4210854715202004e-14 * np.sqrt((l1 * l1 + l2 * l2 + l3 * l3))
-    t37 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign(t15, 1.0))
-    t38 = 1.0 - t37
+    t37 = 0.5 - 0.5 * np.copysign(1, t36 - np.copysign(t15, 1))
+    t38 = 1 - t37
     t39 = t22 * t38 + t25 * t37
     t40 = t11 * t38 + t14 * t37
-    t41 = 0.5 - 0.5 * np.copysign(1.0, t36 - np.copysign((-t40), 1.0))
-    t42 = t41 / (1.0 - t41 - t40 * t41)
+    t41 = 0.5 - 0.5 * np.copysign(1, t36 - np.copysign((-t40), 1))
+    t42 = t41 / (1 - t41 - t40 * t41)
     t43 = t42 * (t11 * t37 + t14 * t38)
     t44 = t22 * t37 + t25 * t38 + t39 * t43
     t45 = t44 * t44
@@ -390,8 +390,8 @@ def speed_ratio_terms_3(q, parameters, tangent, curvature):
     t51 = t21 * t37 + t24 * t38 + t50 * (t43 * t43) + t28 * t43
     t52 = t27 + t43 * (t46 * (t50 + t50)) + t28 * t46 + t27 * t43
     t53 = t20 + t50 * (t46 * t46) + t27 * t46
-    t54 = t52 * (t48 + t48) - t53 * (4.0 * t45) - t51 * (4.0 * t49)
-    t55 = t52 * t52 - t53 * (4.0 * t51)
+    t54 = t52 * (t48 + t48) - t53 * (4 * t45) - t51 * (4 * t49)
+    t55 = t52 * t52 - t53 * (4 * t51)
 
     # results
     A = np.empty((*_leading, 3), _real)
@@ -484,7 +484,7 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     kappa_s = curvature[..., 1]
 
     # terms
-    t1 = np.maximum(np.copysign(tx, 1.0), np.copysign(ty, 1.0))
+    t1 = np.maximum(np.copysign(tx, 1), np.copysign(ty, 1))
     t2 = tx / t1
     t3 = ty / t1
     t4 = np.sqrt((t2 * t2 + t3 * t3))
@@ -515,9 +515,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t29 = t17 * t25 - t21 * t22
     t30 = t20 * t22 - t17 * t24
     t31 = np.sqrt((t28 * t28 + t29 * t29 + t30 * t30))
-    t32 = 0.5 * np.copysign(1.0, 1.4210854715202004e-14 * t26 * np.sqrt(t27) - np.copysign(t31, 1.0))
+    t32 = 0.5 * np.copysign(1, 1.4210854715202004e-14 * t26 * np.sqrt(t27) - np.copysign(t31, 1))
     t33 = 0.5 - t32
-    t34 = t33 / (1.0 - t33 + t31 * t33)
+    t34 = t33 / (1 - t33 + t31 * t33)
     t35 = t30 * t34
     t36 = t29 * t34
     t37 = t34 * (t20 * t35 - t21 * t36)
@@ -533,8 +533,8 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t47 = t35 + t44
     t48 = t41 * (t38 * t38) + t43 * (t44 * t44) + t46 * (t47 * t47)
     t49 = -t48
-    t50 = np.copysign(t49, 1.0)
-    t51 = 0.5 - 0.5 * np.copysign(1.0, t39 - t50)
+    t50 = np.copysign(t49, 1)
+    t51 = 0.5 - 0.5 * np.copysign(1, t39 - t50)
     t52 = t37 * t37
     t53 = t34 * (t21 * t38 - t17 * t35)
     t54 = t34 * (t17 * t36 - t20 * t38)
@@ -542,23 +542,23 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t56 = np.sqrt(t55)
     t57 = t39 * (t56 + t56)
     t58 = t37 + t53
-    t59 = t38 * (t37 * (l1 * (-2.0 * t40))) - t44 * (l2 * (t42 + t42) * t58)
+    t59 = t38 * (t37 * (l1 * (-2 * t40))) - t44 * (l2 * (t42 + t42) * t58)
     t60 = t54 + t58
     t61 = t59 - t47 * (l3 * (t45 + t45) * t60)
-    t62 = np.copysign(t61, 1.0)
+    t62 = np.copysign(t61, 1)
     t63 = t39 * t55
     t64 = t41 * t52 + t43 * (t58 * t58) + t46 * (t60 * t60)
     t65 = t64 + kappa
-    t66 = np.copysign((-t65), 1.0)
-    t67 = (t57 + t57) * t62 + t50 * (4.0 * t63) + 4.0 * t39 * t66
-    t68 = t61 * t61 - t48 * (4.0 * t65)
+    t66 = np.copysign((-t65), 1)
+    t67 = (t57 + t57) * t62 + t50 * (4 * t63) + 4 * t39 * t66
+    t68 = t61 * t61 - t48 * (4 * t65)
     t69 = np.maximum(0.0, t68)
-    t70 = t51 * (0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(t69, 1.0)))
-    t71 = 1.0 - t70
-    t72 = 0.5 - 0.5 * np.copysign(1.0, t57 - t62)
-    t73 = 1.0 - t51
+    t70 = t51 * (0.5 - 0.5 * np.copysign(1, t67 - np.copysign(t69, 1)))
+    t71 = 1 - t70
+    t72 = 0.5 - 0.5 * np.copysign(1, t57 - t62)
+    t73 = 1 - t51
     t74 = t72 * t73
-    t75 = t65 * t74 / (1.0 - t74 + t61 * t74) - t51 * t61 / (t73 - t48 * (t51 + t51))
+    t75 = t65 * t74 / (1 - t74 + t61 * t74) - t51 * t61 / (t73 - t48 * (t51 + t51))
     t76 = t70 * (-0.5 * t61 - 0.5 * np.copysign(np.sqrt(t69), t61))
     t77 = t71 * t75 - t65 * t70 / (t71 + t76)
     t78 = t33 * (t37 + t38 * t77)
@@ -570,16 +570,16 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t84 = t81 * (t53 + t36 * t82)
     t85 = t81 * (t54 + t35 * t82)
     t86 = t78 * leads1 + t79 * leads2 + t80 * leads3
-    t87 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t78, 1.0), np.copysign(t79, 1.0)), np.copysign(t80, 1.0)) - np.copysign(t86, 1.0)
-    t88 = 0.5 - 0.5 * np.copysign(1.0, t87)
-    t89 = 1.0 - t88
+    t87 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t78, 1), np.copysign(t79, 1)), np.copysign(t80, 1)) - np.copysign(t86, 1)
+    t88 = 0.5 - 0.5 * np.copysign(1, t87)
+    t89 = 1 - t88
     t90 = t88 / (t89 + t86 * t88)
-    t91 = 1.0 - leads1
-    t92 = 1.0 - leads3
+    t91 = 1 - leads1
+    t92 = 1 - leads3
     t93 = t83 * leads1 + t84 * leads2 + t85 * leads3
-    t94 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t83, 1.0), np.copysign(t84, 1.0)), np.copysign(t85, 1.0)) - np.copysign(t93, 1.0)
-    t95 = 0.5 - 0.5 * np.copysign(1.0, t94)
-    t96 = 1.0 - t95
+    t94 = 9.094947017729282e-13 * np.maximum(np.maximum(np.copysign(t83, 1), np.copysign(t84, 1)), np.copysign(t85, 1)) - np.copysign(t93, 1)
+    t95 = 0.5 - 0.5 * np.copysign(1, t94)
+    t96 = 1 - t95
     t97 = t95 / (t96 + t93 * t95)
     t98 = t78 * t78
     t99 = t78 + t79
@@ -596,15 +596,15 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     t110 = l1 * (t5 * c1 + s1 * t12)
     t111 = l2 * (t5 * t7 + t8 * t12)
     t112 = l3 * (t5 * t9 + t12 * t14)
-    t113 = -3.0 * t103 * (t98 * t110 + t100 * t111 + t102 * t112)
+    t113 = -3 * t103 * (t98 * t110 + t100 * t111 + t102 * t112)
     t114 = t113 - t110 * (t78 * t98) - t111 * (t99 * t100) - t112 * (t101 * t102)
-    t115 = -3.0 * t109 * (t104 * t110 + t106 * t111 + t108 * t112)
+    t115 = -3 * t109 * (t104 * t110 + t106 * t111 + t108 * t112)
     t116 = t115 - t110 * (t83 * t104) - t111 * (t105 * t106) - t112 * (t107 * t108)
-    t117 = 0.5 - 0.5 * np.copysign(1.0, t67 - np.copysign(np.maximum(0.0, -t68), 1.0))
+    t117 = 0.5 - 0.5 * np.copysign(1, t67 - np.copysign(np.maximum(0.0, -t68), 1))
     t118 = t51 * t117
-    t119 = 4.0 + t33 * (t51 * t118 + t73 * (2.0 + t72)) - 4.0 * t33
-    t120 = 1.0 - np.copysign(1.0, np.copysign((t116 - kappa_s), 1.0) - np.copysign((t114 - kappa_s), 1.0))
-    t121 = t73 * (1.0 - t72) * (0.5 + 0.5 * np.copysign(1.0, t63 - t66))
+    t119 = 4 + t33 * (t51 * t118 + t73 * (2 + t72)) - 4 * t33
+    t120 = 1 - np.copysign(1, np.copysign((t116 - kappa_s), 1) - np.copysign((t114 - kappa_s), 1))
+    t121 = t73 * (1 - t72) * (0.5 + 0.5 * np.copysign(1, t63 - t66))
 
     # results
     rates = np.empty((*_leading, 6), _real)
@@ -631,9 +631,9 @@ def speed_ratio_rates(q, parameters, tangent, curvature, leading):
     tracked_rate[..., 0] = t114
     tracked_rate[..., 1] = t116
     verdict[..., 0] = t119
-    verdict[..., 1] = t33 * (1.0 + t70)
+    verdict[..., 1] = t33 * (1 + t70)
     verdict[..., 2] = t70 * (0.5 * t33) * t120
-    verdict[..., 3] = t33 * (t74 + t51 * (1.0 - t118) + t121)
+    verdict[..., 3] = t33 * (t74 + t51 * (1 - t118) + t121)
     verdict[..., 4] = t81 * t96 + t33 * t89
     parabola[..., 0] = t49
     parabola[..., 1] = t61

@@ -1,6 +1,6 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fc915964f9689b67650ccf1f6c965a0d96297c4d2f54179fd0744b77120383bd.
+Made from templates/kernel.py.j2; inputs 00c92e95d1678cf42308fbf4b29af74ba764d262ced6d7c98ca7a141a7cde7bb.
 311 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -103,7 +103,7 @@ def manipulability_gradient_x_alpha(q, parameters):
     t20 = t19 - s1 * (c2 * t18 + s2 * t17)
     t21 = c2 * (c1 * t17 - s1 * t18) - s2 * (c1 * t18 + s1 * t17)
     t22 = c3 * (t4 * t15) - s3 * (t2 * t15)
-    t23 = 1.0 / t10
+    t23 = 1 / t10
     t24 = t23 * t23
     t25 = -0.5 / t10 * np.sqrt(t23)
 
@@ -250,9 +250,9 @@ def null_projector_x_alpha(q, parameters):
     t12 = t8 / t10
     t13 = t9 / t10
     t14 = t11 + t12 + t13
-    t15 = 1.0 - np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t14, 0.0), 0.0)
-    t16 = 1.0 - np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t14, 0.0), 0.0)
-    t17 = 1.0 - np.where(t10 != 0.0, np.where(t10 != 0.0, t13 * t14, 0.0), 0.0)
+    t15 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t14, 0.0), 0.0)
+    t16 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t14, 0.0), 0.0)
+    t17 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t13 * t14, 0.0), 0.0)
     t18 = np.sqrt((t15 * t15 + t16 * t16 + t17 * t17))
     t19 = t15 / t18
     t20 = t16 / t18
@@ -263,17 +263,17 @@ def null_projector_x_alpha(q, parameters):
     t25 = np.where(t18 != 0.0, t21, 0.0) - np.where(t10 != 0.0, np.where(t18 != 0.0, np.where(t10 != 0.0, t13 * t22, 0.0), 0.0), 0.0)
     t26 = np.sqrt((t23 * t23 + t24 * t24 + t25 * t25))
     t27 = t23 / t26
-    t28 = 1.0 - np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t11, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t27 * t27, 0.0), 0.0)
+    t28 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t11, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t27 * t27, 0.0), 0.0)
     t29 = t24 / t26
     t30 = np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t12, 0.0), 0.0) + np.where(t26 != 0.0, np.where(t26 != 0.0, t27 * t29, 0.0), 0.0)
     t31 = -t30
     t32 = t25 / t26
     t33 = np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t13, 0.0), 0.0) + np.where(t26 != 0.0, np.where(t26 != 0.0, t27 * t32, 0.0), 0.0)
     t34 = -t33
-    t35 = 1.0 - np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t12, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t29 * t29, 0.0), 0.0)
+    t35 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t12, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t29 * t29, 0.0), 0.0)
     t36 = np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t13, 0.0), 0.0) + np.where(t26 != 0.0, np.where(t26 != 0.0, t29 * t32, 0.0), 0.0)
     t37 = -t36
-    t38 = 1.0 - np.where(t10 != 0.0, np.where(t10 != 0.0, t13 * t13, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t32 * t32, 0.0), 0.0)
+    t38 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t13 * t13, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t32 * t32, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 9), _real)

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32.
+ * Made from templates/kernel.c.j2; inputs 391bb2448cf7315e629d1c89dfc0463d0b1610330b3372a7399d4557ab5b863b.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32";
+const char puma560_kinematics_digest[] = "391bb2448cf7315e629d1c89dfc0463d0b1610330b3372a7399d4557ab5b863b";
 #endif
 
 #define LANES 64

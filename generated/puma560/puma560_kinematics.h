@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32.
+ * Made from templates/kernel.h.j2; inputs 391bb2448cf7315e629d1c89dfc0463d0b1610330b3372a7399d4557ab5b863b.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

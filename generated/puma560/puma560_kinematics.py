@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bf8a70a83ea3c33825fbc60cbd92d9bdce2b37842540c37748125718c52fdc32.
+Made from templates/kernel.py.j2; inputs 391bb2448cf7315e629d1c89dfc0463d0b1610330b3372a7399d4557ab5b863b.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -117,7 +117,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -259,7 +259,7 @@ def jacobian_pose(q):
     jacobian[..., 27] = -t5
     jacobian[..., 28] = -(c1 * c4 - t4 * s4)
     jacobian[..., 29] = t20
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = t9
@@ -411,7 +411,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t20
     jacobian[..., 1] = -(c1 * t28)
     jacobian[..., 2] = -(c1 * t29)
@@ -442,7 +442,7 @@ def kinematics_pose(q):
     jacobian[..., 27] = -t15
     jacobian[..., 28] = -t17
     jacobian[..., 29] = t18
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = t23

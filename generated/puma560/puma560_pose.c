@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs 177a9dff9b3ca1c8038ec5e8e5890ec8222e781a63663dd03524b8eb4f9cd3a8.
+ * Made from templates/kernel.c.j2; inputs cb2d89d218088a61c5b67eba14e350463b98317c18021b7484ebe8443e120888.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "177a9dff9b3ca1c8038ec5e8e5890ec8222e781a63663dd03524b8eb4f9cd3a8";
+const char puma560_pose_digest[] = "cb2d89d218088a61c5b67eba14e350463b98317c18021b7484ebe8443e120888";
 #endif
 
 #define LANES 64

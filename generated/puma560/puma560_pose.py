@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 177a9dff9b3ca1c8038ec5e8e5890ec8222e781a63663dd03524b8eb4f9cd3a8.
+Made from templates/kernel.py.j2; inputs cb2d89d218088a61c5b67eba14e350463b98317c18021b7484ebe8443e120888.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -145,7 +145,7 @@ def manipulability_gradient_pose(q):
     t56 = t55 + t5 * t42 + -0.0203 * (t47 - c4 * t52) + c3 * t48
     t57 = c4 * (t54 + 0.0203 * (t49 + s4 * t52)) - s4 * (t56 + s3 * t39 + 0.15005 * t49)
     t58 = c5 * (t25 * t28)
-    t59 = 1.0 / t27
+    t59 = 1 / t27
     t60 = t59 * t59
     t61 = -0.5 / t27 * np.sqrt(t59)
 

@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs 177a9dff9b3ca1c8038ec5e8e5890ec8222e781a63663dd03524b8eb4f9cd3a8.
+ * Made from templates/kernel.h.j2; inputs cb2d89d218088a61c5b67eba14e350463b98317c18021b7484ebe8443e120888.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

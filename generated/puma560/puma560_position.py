@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 177a9dff9b3ca1c8038ec5e8e5890ec8222e781a63663dd03524b8eb4f9cd3a8.
+Made from templates/kernel.py.j2; inputs cb2d89d218088a61c5b67eba14e350463b98317c18021b7484ebe8443e120888.
 435 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -89,7 +89,7 @@ def manipulability_gradient_position(q):
     t23 = s3 * t16 - s3 * t20 + c3 * t21 + 0.4318 * t18
     t24 = c2 * t22 - s2 * t23
     t25 = c3 * (c2 * t16 - c2 * t20 - s2 * t21) - s3 * (s2 * t16 - s2 * t20 + c2 * t21)
-    t26 = 1.0 / t12
+    t26 = 1 / t12
     t27 = t26 * t26
     t28 = -0.5 / t12 * np.sqrt(t26)
 
@@ -221,7 +221,7 @@ def null_projector_position(q):
     t28 = np.where(t21 != 0.0, -t24, 0.0) - np.where(t11 != 0.0, np.where(t21 != 0.0, -(t19 * t25), 0.0), 0.0)
     t29 = np.sqrt((t26 * t26 + t27 * t27 + t28 * t28))
     t30 = t26 / t29
-    t31 = 1.0 - np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, t12 * t12, 0.0), 0.0), 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t30, 0.0), 0.0)
+    t31 = 1 - np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, t12 * t12, 0.0), 0.0), 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t30, 0.0), 0.0)
     t32 = t14 - t13
     t33 = t14 * t17 + t19 * t32
     t34 = t12 * t33
@@ -255,10 +255,10 @@ def null_projector_position(q):
     t62 = np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, -(t12 * t19), 0.0), 0.0), 0.0) + np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t39, 0.0), 0.0)
     t63 = t56 / t57
     t64 = -(t62 + np.where(t57 != 0.0, np.where(t57 != 0.0, t58 * t63, 0.0), 0.0))
-    t65 = 1.0 - np.where(t11 != 0.0, np.where(t11 != 0.0, t17 * t17, 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t36 * t36, 0.0), 0.0)
+    t65 = 1 - np.where(t11 != 0.0, np.where(t11 != 0.0, t17 * t17, 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t36 * t36, 0.0), 0.0)
     t66 = np.where(t11 != 0.0, np.where(t11 != 0.0, t17 * t19, 0.0), 0.0) + np.where(t29 != 0.0, np.where(t29 != 0.0, t36 * t39, 0.0), 0.0)
     t67 = -(t66 + np.where(t57 != 0.0, np.where(t57 != 0.0, t60 * t63, 0.0), 0.0))
-    t68 = 1.0 - np.where(t11 != 0.0, np.where(t11 != 0.0, t19 * t19, 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t39 * t39, 0.0), 0.0)
+    t68 = 1 - np.where(t11 != 0.0, np.where(t11 != 0.0, t19 * t19, 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t39 * t39, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
@@ -283,19 +283,19 @@ def null_projector_position(q):
     null_projector[..., 18] = 0.0
     null_projector[..., 19] = 0.0
     null_projector[..., 20] = 0.0
-    null_projector[..., 21] = 1.0
+    null_projector[..., 21] = 1
     null_projector[..., 22] = 0.0
     null_projector[..., 23] = 0.0
     null_projector[..., 24] = 0.0
     null_projector[..., 25] = 0.0
     null_projector[..., 26] = 0.0
     null_projector[..., 27] = 0.0
-    null_projector[..., 28] = 1.0
+    null_projector[..., 28] = 1
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0
     null_projector[..., 32] = 0.0
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
-    null_projector[..., 35] = 1.0
+    null_projector[..., 35] = 1
     return null_projector.reshape(_leading + (6, 6))

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 956d4526e9e10e0ca7229414c5772d5a761d32a6db4a16e4b81a388f1ed0b129.
+ * Made from templates/kernel.h.j2; inputs 87ec7009937f97c72de0bd1a4f01e59f30e742926f4e547697dc9c3b2f9e1060.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

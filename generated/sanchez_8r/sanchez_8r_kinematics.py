@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 956d4526e9e10e0ca7229414c5772d5a761d32a6db4a16e4b81a388f1ed0b129.
+Made from templates/kernel.py.j2; inputs 87ec7009937f97c72de0bd1a4f01e59f30e742926f4e547697dc9c3b2f9e1060.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -166,7 +166,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -402,7 +402,7 @@ def jacobian_pose(q):
     jacobian[..., 29] = t50
     jacobian[..., 30] = t50
     jacobian[..., 31] = -t44
-    jacobian[..., 32] = 1.0
+    jacobian[..., 32] = 1
     jacobian[..., 33] = 0.0
     jacobian[..., 34] = c2
     jacobian[..., 35] = -t17
@@ -655,7 +655,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = t49
     jacobian[..., 1] = c1 * t32
     jacobian[..., 2] = c2 * t50 + t36 * t51
@@ -688,7 +688,7 @@ def kinematics_pose(q):
     jacobian[..., 29] = t59
     jacobian[..., 30] = t59
     jacobian[..., 31] = t13
-    jacobian[..., 32] = 1.0
+    jacobian[..., 32] = 1
     jacobian[..., 33] = 0.0
     jacobian[..., 34] = c2
     jacobian[..., 35] = -t20

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
+ * Made from templates/kernel.c.j2; inputs 98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff";
+const char sanchez_8r_pose_digest[] = "98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc";
 #endif
 
 #define LANES 32

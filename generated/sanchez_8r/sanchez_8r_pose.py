@@ -1,6 +1,6 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
+Made from templates/kernel.py.j2; inputs 98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc.
 3779 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -493,7 +493,7 @@ def manipulability_gradient_pose(q):
     t290 = t40 * t156 - t39 * t215 + t37 * t285 + t21 * t166
     t291 = c6 * (s7 * t286 + c7 * t288 + -0.2 * t289) - s6 * (s7 * t288 - c7 * t286 + 0.2 * t290)
     t292 = c7 * (s6 * t286 + c6 * t288) - s7 * (s6 * t288 - c6 * t286)
-    t293 = 1.0 / t124
+    t293 = 1 / t124
     t294 = t293 * t293
     t295 = -0.5 / t124 * np.sqrt(t293)
 
@@ -774,7 +774,7 @@ def null_projector_pose(q):
     t49 = t45 * t45 + t46 * t46 + t47 * t47 + np.where(t40 != 0.0, np.where(t40 != 0.0, t48 * t48, 0.0), 0.0)
     t50 = np.sqrt(t49)
     t51 = t45 / t50
-    t52 = 1.0 - np.where(t14 != 0.0, np.where(t19 != 0.0, np.where(t14 != 0.0, np.where(t19 != 0.0, t20 * t20, 0.0), 0.0), 0.0), 0.0) - np.where(t50 != 0.0, np.where(t50 != 0.0, t51 * t51, 0.0), 0.0)
+    t52 = 1 - np.where(t14 != 0.0, np.where(t19 != 0.0, np.where(t14 != 0.0, np.where(t19 != 0.0, t20 * t20, 0.0), 0.0), 0.0), 0.0) - np.where(t50 != 0.0, np.where(t50 != 0.0, t51 * t51, 0.0), 0.0)
     t53 = t8 * t25 - t7 * t24
     t54 = np.where(t19 != 0.0, -(t33 * t36), 0.0) + np.where(t14 != 0.0, np.where(t19 != 0.0, t20 * t53, 0.0), 0.0)
     t55 = t12 * t24 - t8 * t28
@@ -863,7 +863,7 @@ def null_projector_pose(q):
     t138 = t137 - np.where(t14 != 0.0, np.where(t19 != 0.0, t7 * t20, 0.0), 0.0)
     t139 = t7 + np.where(t14 != 0.0, np.where(t19 != 0.0, t20 * t138, 0.0), 0.0)
     t140 = t12 - np.where(t14 != 0.0, np.where(t19 != 0.0, -(t27 * t138), 0.0), 0.0)
-    t141 = 1.0 - np.where(t19 != 0.0, -(t33 * t138), 0.0)
+    t141 = 1 - np.where(t19 != 0.0, -(t33 * t138), 0.0)
     t142 = t59 * t140 - t51 * t139 + t61 * t141
     t143 = t139 + np.where(t50 != 0.0, np.where(t50 != 0.0, t51 * t142, 0.0), 0.0)
     t144 = t140 - np.where(t50 != 0.0, np.where(t50 != 0.0, t59 * t142, 0.0), 0.0)
@@ -880,7 +880,7 @@ def null_projector_pose(q):
     t155 = t144 - np.where(t85 != 0.0, t95 * t149, 0.0)
     t156 = t128 / t134
     t157 = t151 * t152 - t153 * t154 - t135 * t150 + t155 * t156
-    t158 = 1.0 - np.where(t69 != 0.0, np.where(t85 != 0.0, t106 * t149, 0.0), 0.0)
+    t158 = 1 - np.where(t69 != 0.0, np.where(t85 != 0.0, t106 * t149, 0.0), 0.0)
     t159 = t130 / t134
     t160 = t131 / t134
     t161 = np.where(t134 != 0.0, t157 + t158 * t159, 0.0) + np.where(t108 != 0.0, np.where(t134 != 0.0, -(t4 * t160), 0.0), 0.0)
@@ -969,12 +969,12 @@ def null_projector_pose(q):
     t244 = t229 + np.where(t207 != 0.0, np.where(t207 != 0.0, t230 * t242, 0.0), 0.0)
     t245 = t231 - np.where(t207 != 0.0, np.where(t207 != 0.0, t232 * t242, 0.0), 0.0)
     t246 = np.where(t134 != 0.0, -t233, 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t234 * t242, 0.0), 0.0)
-    t247 = 1.0 + t243 * t243 + t244 * t244 + t245 * t245 + t246 * t246
+    t247 = 1 + t243 * t243 + t244 * t244 + t245 * t245 + t246 * t246
     t248 = t236 + np.where(t207 != 0.0, np.where(t207 != 0.0, t237 * t242, 0.0), 0.0)
     t249 = t238 + np.where(t207 != 0.0, np.where(t207 != 0.0, t239 * t242, 0.0), 0.0)
     t250 = t240 - np.where(t207 != 0.0, np.where(t207 != 0.0, t241 * t242, 0.0), 0.0)
     t251 = np.sqrt((t247 + t248 * t248 + t249 * t249 + t250 * t250))
-    t252 = 1.0 / t251
+    t252 = 1 / t251
     t253 = t243 / t251
     t254 = t244 / t251
     t255 = t249 / t251
@@ -1048,7 +1048,7 @@ def null_projector_pose(q):
     t323 = t322 + np.where(t134 != 0.0, np.where(t134 != 0.0, t135 * t154, 0.0), 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t208 * t241, 0.0), 0.0)
     t324 = t296 / t297
     t325 = -(t323 + np.where(t297 != 0.0, np.where(t297 != 0.0, t298 * t324, 0.0), 0.0))
-    t326 = 1.0 - np.where(t14 != 0.0, np.where(t19 != 0.0, np.where(t14 != 0.0, np.where(t19 != 0.0, t27 * t27, 0.0), 0.0), 0.0), 0.0) - np.where(t50 != 0.0, np.where(t50 != 0.0, t59 * t59, 0.0), 0.0)
+    t326 = 1 - np.where(t14 != 0.0, np.where(t19 != 0.0, np.where(t14 != 0.0, np.where(t19 != 0.0, t27 * t27, 0.0), 0.0), 0.0), 0.0) - np.where(t50 != 0.0, np.where(t50 != 0.0, t59 * t59, 0.0), 0.0)
     t327 = t326 - np.where(t85 != 0.0, np.where(t85 != 0.0, t95 * t95, 0.0), 0.0) - np.where(t134 != 0.0, np.where(t134 != 0.0, t156 * t156, 0.0), 0.0)
     t328 = t327 - np.where(t207 != 0.0, np.where(t207 != 0.0, t230 * t230, 0.0), 0.0) - np.where(t297 != 0.0, np.where(t297 != 0.0, t302 * t302, 0.0), 0.0)
     t329 = np.where(t108 != 0.0, np.where(t134 != 0.0, np.where(t134 != 0.0, t156 * t160, 0.0), 0.0), 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t230 * t232, 0.0), 0.0)
@@ -1066,7 +1066,7 @@ def null_projector_pose(q):
     t341 = np.where(t40 != 0.0, np.where(t50 != 0.0, np.where(t50 != 0.0, -(t59 * t66), 0.0), 0.0), 0.0) + np.where(t85 != 0.0, np.where(t85 != 0.0, t95 * t99, 0.0), 0.0)
     t342 = t341 + np.where(t134 != 0.0, np.where(t134 != 0.0, t154 * t156, 0.0), 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t230 * t241, 0.0), 0.0)
     t343 = -(t342 + np.where(t297 != 0.0, np.where(t297 != 0.0, t302 * t324, 0.0), 0.0))
-    t344 = 1.0 - np.where(t108 != 0.0, np.where(t134 != 0.0, np.where(t108 != 0.0, np.where(t134 != 0.0, t160 * t160, 0.0), 0.0), 0.0), 0.0) - np.where(t207 != 0.0, np.where(t207 != 0.0, t232 * t232, 0.0), 0.0)
+    t344 = 1 - np.where(t108 != 0.0, np.where(t134 != 0.0, np.where(t108 != 0.0, np.where(t134 != 0.0, t160 * t160, 0.0), 0.0), 0.0), 0.0) - np.where(t207 != 0.0, np.where(t207 != 0.0, t232 * t232, 0.0), 0.0)
     t345 = np.where(t134 != 0.0, np.where(t108 != 0.0, np.where(t134 != 0.0, -(t160 * t162), 0.0), 0.0), 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t232 * t234, 0.0), 0.0)
     t346 = -(t345 + np.where(t297 != 0.0, np.where(t297 != 0.0, t306 * t309, 0.0), 0.0))
     t347 = -np.where(t297 != 0.0, np.where(t251 != 0.0, np.where(t297 != 0.0, t306 * t311, 0.0), 0.0), 0.0)
@@ -1076,7 +1076,7 @@ def null_projector_pose(q):
     t351 = -(t350 + np.where(t297 != 0.0, np.where(t297 != 0.0, t306 * t319, 0.0), 0.0))
     t352 = np.where(t134 != 0.0, np.where(t108 != 0.0, np.where(t134 != 0.0, t154 * t160, 0.0), 0.0), 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t232 * t241, 0.0), 0.0)
     t353 = -(t352 + np.where(t297 != 0.0, np.where(t297 != 0.0, t306 * t324, 0.0), 0.0))
-    t354 = 1.0 - np.where(t134 != 0.0, np.where(t134 != 0.0, t162 * t162, 0.0), 0.0) - np.where(t207 != 0.0, np.where(t207 != 0.0, t234 * t234, 0.0), 0.0)
+    t354 = 1 - np.where(t134 != 0.0, np.where(t134 != 0.0, t162 * t162, 0.0), 0.0) - np.where(t207 != 0.0, np.where(t207 != 0.0, t234 * t234, 0.0), 0.0)
     t355 = -np.where(t297 != 0.0, np.where(t251 != 0.0, np.where(t297 != 0.0, t309 * t311, 0.0), 0.0), 0.0)
     t356 = np.where(t134 != 0.0, np.where(t134 != 0.0, -(t159 * t162), 0.0), 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t234 * t237, 0.0), 0.0)
     t357 = -(t356 + np.where(t297 != 0.0, np.where(t297 != 0.0, t309 * t314, 0.0), 0.0))
@@ -1087,7 +1087,7 @@ def null_projector_pose(q):
     t362 = -np.where(t297 != 0.0, np.where(t297 != 0.0, np.where(t251 != 0.0, t311 * t314, 0.0), 0.0), 0.0)
     t363 = -np.where(t297 != 0.0, np.where(t297 != 0.0, np.where(t251 != 0.0, t311 * t319, 0.0), 0.0), 0.0)
     t364 = -np.where(t297 != 0.0, np.where(t297 != 0.0, np.where(t251 != 0.0, t311 * t324, 0.0), 0.0), 0.0)
-    t365 = 1.0 - np.where(t69 != 0.0, np.where(t85 != 0.0, np.where(t69 != 0.0, np.where(t85 != 0.0, t106 * t106, 0.0), 0.0), 0.0), 0.0) - np.where(t134 != 0.0, np.where(t134 != 0.0, t159 * t159, 0.0), 0.0)
+    t365 = 1 - np.where(t69 != 0.0, np.where(t85 != 0.0, np.where(t69 != 0.0, np.where(t85 != 0.0, t106 * t106, 0.0), 0.0), 0.0), 0.0) - np.where(t134 != 0.0, np.where(t134 != 0.0, t159 * t159, 0.0), 0.0)
     t366 = t365 - np.where(t207 != 0.0, np.where(t207 != 0.0, t237 * t237, 0.0), 0.0) - np.where(t297 != 0.0, np.where(t297 != 0.0, t314 * t314, 0.0), 0.0)
     t367 = np.where(t85 != 0.0, np.where(t69 != 0.0, np.where(t85 != 0.0, t97 * t106, 0.0), 0.0), 0.0) + np.where(t134 != 0.0, np.where(t134 != 0.0, t152 * t159, 0.0), 0.0)
     t368 = t367 + np.where(t207 != 0.0, np.where(t207 != 0.0, t237 * t239, 0.0), 0.0) + np.where(t297 != 0.0, np.where(t297 != 0.0, t314 * t319, 0.0), 0.0)
@@ -1095,13 +1095,13 @@ def null_projector_pose(q):
     t370 = np.where(t85 != 0.0, np.where(t69 != 0.0, np.where(t85 != 0.0, t99 * t106, 0.0), 0.0), 0.0) + np.where(t134 != 0.0, np.where(t134 != 0.0, t154 * t159, 0.0), 0.0)
     t371 = t370 + np.where(t207 != 0.0, np.where(t207 != 0.0, t237 * t241, 0.0), 0.0) + np.where(t297 != 0.0, np.where(t297 != 0.0, t314 * t324, 0.0), 0.0)
     t372 = -t371
-    t373 = 1.0 - np.where(t19 != 0.0, np.where(t19 != 0.0, t33 * t33, 0.0), 0.0) - np.where(t50 != 0.0, np.where(t50 != 0.0, t61 * t61, 0.0), 0.0)
+    t373 = 1 - np.where(t19 != 0.0, np.where(t19 != 0.0, t33 * t33, 0.0), 0.0) - np.where(t50 != 0.0, np.where(t50 != 0.0, t61 * t61, 0.0), 0.0)
     t374 = t373 - np.where(t85 != 0.0, np.where(t85 != 0.0, t97 * t97, 0.0), 0.0) - np.where(t134 != 0.0, np.where(t134 != 0.0, t152 * t152, 0.0), 0.0)
     t375 = t374 - np.where(t207 != 0.0, np.where(t207 != 0.0, t239 * t239, 0.0), 0.0) - np.where(t297 != 0.0, np.where(t297 != 0.0, t319 * t319, 0.0), 0.0)
     t376 = np.where(t40 != 0.0, np.where(t50 != 0.0, np.where(t50 != 0.0, -(t61 * t66), 0.0), 0.0), 0.0) + np.where(t85 != 0.0, np.where(t85 != 0.0, t97 * t99, 0.0), 0.0)
     t377 = t376 + np.where(t134 != 0.0, np.where(t134 != 0.0, t152 * t154, 0.0), 0.0) + np.where(t207 != 0.0, np.where(t207 != 0.0, t239 * t241, 0.0), 0.0)
     t378 = -(t377 + np.where(t297 != 0.0, np.where(t297 != 0.0, t319 * t324, 0.0), 0.0))
-    t379 = 1.0 - np.where(t40 != 0.0, np.where(t50 != 0.0, np.where(t40 != 0.0, np.where(t50 != 0.0, t66 * t66, 0.0), 0.0), 0.0), 0.0) - np.where(t85 != 0.0, np.where(t85 != 0.0, t99 * t99, 0.0), 0.0)
+    t379 = 1 - np.where(t40 != 0.0, np.where(t50 != 0.0, np.where(t40 != 0.0, np.where(t50 != 0.0, t66 * t66, 0.0), 0.0), 0.0), 0.0) - np.where(t85 != 0.0, np.where(t85 != 0.0, t99 * t99, 0.0), 0.0)
     t380 = t379 - np.where(t134 != 0.0, np.where(t134 != 0.0, t154 * t154, 0.0), 0.0) - np.where(t207 != 0.0, np.where(t207 != 0.0, t241 * t241, 0.0), 0.0)
 
     # results
@@ -1142,7 +1142,7 @@ def null_projector_pose(q):
     null_projector[..., 33] = t333
     null_projector[..., 34] = t347
     null_projector[..., 35] = t355
-    null_projector[..., 36] = 1.0 - np.where(t297 != 0.0, np.where(t251 != 0.0, np.where(t297 != 0.0, np.where(t251 != 0.0, t311 * t311, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 36] = 1 - np.where(t297 != 0.0, np.where(t251 != 0.0, np.where(t297 != 0.0, np.where(t251 != 0.0, t311 * t311, 0.0), 0.0), 0.0), 0.0)
     null_projector[..., 37] = t362
     null_projector[..., 38] = t363
     null_projector[..., 39] = t364

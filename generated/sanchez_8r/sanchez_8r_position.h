@@ -1,5 +1,5 @@
 /* sanchez_8r_position.h: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
+ * Made from templates/kernel.h.j2; inputs 98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

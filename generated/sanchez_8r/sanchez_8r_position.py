@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e730dd6d1a0ffbafbd88f45303906ce66685313f159c66cae649fba4be5c6cff.
+Made from templates/kernel.py.j2; inputs 98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc.
 2301 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -394,7 +394,7 @@ def manipulability_gradient_position(q):
     t209 = t49 * t194 + t44 * t177 + t36 * t157 + t30 * t116
     t210 = s6 * t199 + s6 * t200 + c6 * t204 + -0.2 * (t203 + (t209 + t28 * t139))
     t211 = c7 * (t208 + c6 * t200 - s6 * t204) - s7 * t210
-    t212 = 1.0 / t102
+    t212 = 1 / t102
     t213 = t212 * t212
     t214 = -0.5 / t102 * np.sqrt(t212)
 
@@ -695,7 +695,7 @@ def null_projector_position(q):
     t80 = np.where(t65 != 0.0, -t72, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t63 * t73, 0.0), 0.0), 0.0)
     t81 = np.sqrt((t78 + t79 * t79 + t80 * t80))
     t82 = t74 / t81
-    t83 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t36, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t82, 0.0), 0.0)
+    t83 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t36, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t82, 0.0), 0.0)
     t84 = t22 * t40 - t13 * t38
     t85 = t14 * t44 + t16 * t45
     t86 = t19 * t44 + t16 * t48
@@ -767,7 +767,7 @@ def null_projector_position(q):
     t152 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t100, 0.0), 0.0)
     t153 = t128 / t136
     t154 = -(t152 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t153, 0.0), 0.0))
-    t155 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t91, 0.0), 0.0)
+    t155 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t91, 0.0), 0.0)
     t156 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t94, 0.0), 0.0)
     t157 = -(t156 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t142, 0.0), 0.0))
     t158 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t52), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t96, 0.0), 0.0)
@@ -777,7 +777,7 @@ def null_projector_position(q):
     t162 = -(t161 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t150, 0.0), 0.0))
     t163 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t63), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t100, 0.0), 0.0)
     t164 = -(t163 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t153, 0.0), 0.0))
-    t165 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t94, 0.0), 0.0)
+    t165 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t94, 0.0), 0.0)
     t166 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t52, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t96, 0.0), 0.0)
     t167 = -(t166 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t145, 0.0), 0.0))
     t168 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t142 * t147), 0.0), 0.0), 0.0)
@@ -785,7 +785,7 @@ def null_projector_position(q):
     t170 = -(t169 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t150, 0.0), 0.0))
     t171 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t100, 0.0), 0.0)
     t172 = -(t171 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t153, 0.0), 0.0))
-    t173 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t52, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t96, 0.0), 0.0)
+    t173 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t52, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t96, 0.0), 0.0)
     t174 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t145 * t147), 0.0), 0.0), 0.0)
     t175 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t52 * t55), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t98, 0.0), 0.0)
     t176 = -(t175 + np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t150, 0.0), 0.0))
@@ -793,10 +793,10 @@ def null_projector_position(q):
     t178 = -(t177 + np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t153, 0.0), 0.0))
     t179 = -np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, -(t147 * t150), 0.0), 0.0), 0.0)
     t180 = -np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, -(t147 * t153), 0.0), 0.0), 0.0)
-    t181 = 1.0 - np.where(t35 != 0.0, np.where(t35 != 0.0, t55 * t55, 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t98, 0.0), 0.0)
+    t181 = 1 - np.where(t35 != 0.0, np.where(t35 != 0.0, t55 * t55, 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t98, 0.0), 0.0)
     t182 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t35 != 0.0, -(t55 * t63), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t100, 0.0), 0.0)
     t183 = -(t182 + np.where(t136 != 0.0, np.where(t136 != 0.0, t150 * t153, 0.0), 0.0))
-    t184 = 1.0 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t63 * t63, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t100, 0.0), 0.0)
+    t184 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t63 * t63, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t100, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 64), _real)
@@ -836,7 +836,7 @@ def null_projector_position(q):
     null_projector[..., 33] = t160
     null_projector[..., 34] = t168
     null_projector[..., 35] = t174
-    null_projector[..., 36] = 1.0 - np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, t147 * t147, 0.0), 0.0), 0.0), 0.0)
+    null_projector[..., 36] = 1 - np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, t147 * t147, 0.0), 0.0), 0.0), 0.0)
     null_projector[..., 37] = t179
     null_projector[..., 38] = t180
     null_projector[..., 39] = 0.0
@@ -863,5 +863,5 @@ def null_projector_position(q):
     null_projector[..., 60] = 0.0
     null_projector[..., 61] = 0.0
     null_projector[..., 62] = 0.0
-    null_projector[..., 63] = 1.0
+    null_projector[..., 63] = 1
     return null_projector.reshape(_leading + (8, 8))

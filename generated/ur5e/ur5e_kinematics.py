@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9be8958d43c41f8f587a95f19e09bd352e5ca1b76aee841e4dce03a9500b1762.
+Made from templates/kernel.py.j2; inputs 92797a319a7ac61bb6d1fe8b96ffe217443b7c6c7f474a42a9c00b3362d0e2cd.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -135,7 +135,7 @@ def pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     return pose.reshape(_leading + (4, 4))
 
 
@@ -317,7 +317,7 @@ def jacobian_pose(q):
     jacobian[..., 27] = t34
     jacobian[..., 28] = t7
     jacobian[..., 29] = -t9
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = 0.0
@@ -507,7 +507,7 @@ def kinematics_pose(q):
     pose[..., 12] = 0.0
     pose[..., 13] = 0.0
     pose[..., 14] = 0.0
-    pose[..., 15] = 1.0
+    pose[..., 15] = 1
     jacobian[..., 0] = -t25
     jacobian[..., 1] = -(c1 * t37)
     jacobian[..., 2] = -(c1 * t38)
@@ -538,7 +538,7 @@ def kinematics_pose(q):
     jacobian[..., 27] = t42
     jacobian[..., 28] = t19
     jacobian[..., 29] = t21
-    jacobian[..., 30] = 1.0
+    jacobian[..., 30] = 1
     jacobian[..., 31] = 0.0
     jacobian[..., 32] = 0.0
     jacobian[..., 33] = 0.0

@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
+ * Made from templates/kernel.c.j2; inputs fb3c9aa699d511c136bac15d10d94b895085f039a0a6047ba67274ac20274413.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c";
+const char ur5e_pose_digest[] = "fb3c9aa699d511c136bac15d10d94b895085f039a0a6047ba67274ac20274413";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
+ * Made from templates/kernel.h.j2; inputs fb3c9aa699d511c136bac15d10d94b895085f039a0a6047ba67274ac20274413.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
+Made from templates/kernel.py.j2; inputs fb3c9aa699d511c136bac15d10d94b895085f039a0a6047ba67274ac20274413.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -110,7 +110,7 @@ def manipulability_gradient_pose(q):
     t31 = s3 * t24 - s3 * t26 + c3 * t28 + 0.3922 * (t27 + t12 * t16)
     t32 = c4 * (t30 - s3 * t28) - s4 * t31
     t33 = c5 * (-0.0997 * (t8 * t19) + t9 * t19)
-    t34 = 1.0 / t15
+    t34 = 1 / t15
     t35 = t34 * t34
     t36 = -0.5 / t15 * np.sqrt(t34)
 

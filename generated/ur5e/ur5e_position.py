@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 103c64cfe80ff048f81de59dd49b6c0593016d35d4c6aeb1e2e4a8bfaf3c719c.
+Made from templates/kernel.py.j2; inputs fb3c9aa699d511c136bac15d10d94b895085f039a0a6047ba67274ac20274413.
 1082 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -203,7 +203,7 @@ def manipulability_gradient_position(q):
     t94 = c4 * t92 - s4 * t93
     t95 = t5 * t81 + t7 * t67 - (t36 * t48 + t34 * t45 + t30 * t50)
     t96 = s5 * (0.0996 * t95) - c5 * (t5 * t65 + t7 * t79)
-    t97 = 1.0 / t42
+    t97 = 1 / t42
     t98 = t97 * t97
     t99 = -0.5 / t42 * np.sqrt(t97)
 
@@ -392,7 +392,7 @@ def null_projector_position(q):
     t53 = np.where(t40 != 0.0, -t46, 0.0) - np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t40 != 0.0, t28 * t47, 0.0), 0.0), 0.0)
     t54 = np.sqrt((t52 + t53 * t53))
     t55 = t48 / t54
-    t56 = 1.0 - np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t23, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t55, 0.0), 0.0)
+    t56 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t23, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t55, 0.0), 0.0)
     t57 = t27 - t24
     t58 = t27 - t25
     t59 = np.where(t22 != 0.0, -(t27 * t32 + t34 * t57 + t36 * t58), 0.0)
@@ -450,22 +450,22 @@ def null_projector_position(q):
     t111 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t23 * t28), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t71, 0.0), 0.0)
     t112 = t99 / t100
     t113 = -(t111 + np.where(t100 != 0.0, np.where(t100 != 0.0, t101 * t112, 0.0), 0.0))
-    t114 = 1.0 - np.where(t22 != 0.0, np.where(t22 != 0.0, t32 * t32, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t64, 0.0), 0.0)
+    t114 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t32 * t32, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t64, 0.0), 0.0)
     t115 = np.where(t22 != 0.0, np.where(t22 != 0.0, t32 * t34, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t66, 0.0), 0.0)
     t116 = -(t115 + np.where(t100 != 0.0, np.where(t100 != 0.0, t103 * t106, 0.0), 0.0))
     t117 = np.where(t22 != 0.0, np.where(t22 != 0.0, t32 * t36, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t69, 0.0), 0.0)
     t118 = -(t117 + np.where(t100 != 0.0, np.where(t100 != 0.0, t103 * t109, 0.0), 0.0))
     t119 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t28 * t32), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t71, 0.0), 0.0)
     t120 = -(t119 + np.where(t100 != 0.0, np.where(t100 != 0.0, t103 * t112, 0.0), 0.0))
-    t121 = 1.0 - np.where(t22 != 0.0, np.where(t22 != 0.0, t34 * t34, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t66, 0.0), 0.0)
+    t121 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t34 * t34, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t66, 0.0), 0.0)
     t122 = np.where(t22 != 0.0, np.where(t22 != 0.0, t34 * t36, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t69, 0.0), 0.0)
     t123 = -(t122 + np.where(t100 != 0.0, np.where(t100 != 0.0, t106 * t109, 0.0), 0.0))
     t124 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t28 * t34), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t71, 0.0), 0.0)
     t125 = -(t124 + np.where(t100 != 0.0, np.where(t100 != 0.0, t106 * t112, 0.0), 0.0))
-    t126 = 1.0 - np.where(t22 != 0.0, np.where(t22 != 0.0, t36 * t36, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t69 * t69, 0.0), 0.0)
+    t126 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t36 * t36, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t69 * t69, 0.0), 0.0)
     t127 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t28 * t36), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t69 * t71, 0.0), 0.0)
     t128 = -(t127 + np.where(t100 != 0.0, np.where(t100 != 0.0, t109 * t112, 0.0), 0.0))
-    t129 = 1.0 - np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t71 * t71, 0.0), 0.0)
+    t129 = 1 - np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t71 * t71, 0.0), 0.0)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
@@ -504,5 +504,5 @@ def null_projector_position(q):
     null_projector[..., 32] = 0.0
     null_projector[..., 33] = 0.0
     null_projector[..., 34] = 0.0
-    null_projector[..., 35] = 1.0
+    null_projector[..., 35] = 1
     return null_projector.reshape(_leading + (6, 6))

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from chainrule.cuspidality.designs import FreeJointWarning, Orthogonal3R, Regional3R, orthogonal_3r, regional_3r
     from chainrule.cuspidality.feasible import FeasiblePostures
     from chainrule.cuspidality.posture_change import PostureChange
+    from chainrule.cuspidality.witness import Witness, posture_change_witness
     from chainrule.errors import DescriptionError, GenerationError, InputError
     from chainrule.export import generate
     from chainrule.following import follow
@@ -67,6 +68,7 @@ __all__ = [
     "SelfMotionMap",
     "SpeedRatios",
     "Spline",
+    "Witness",
     "Workspace",
     "best_posture",
     "classify_orthogonal_3r",
@@ -81,6 +83,7 @@ __all__ = [
     "orthogonal_3r",
     "planar",
     "planar_3r",
+    "posture_change_witness",
     "postures",
     "read_path",
     "regional_3r",
@@ -103,6 +106,7 @@ _HOMES = {
     ),
     "FeasiblePostures": "chainrule.cuspidality.feasible",
     "PostureChange": "chainrule.cuspidality.posture_change",
+    **dict.fromkeys(("Witness", "posture_change_witness"), "chainrule.cuspidality.witness"),
     **dict.fromkeys(("DescriptionError", "GenerationError", "InputError"), "chainrule.errors"),
     "NoCompilerWarning": "chainrule.compile",
     "generate": "chainrule.export",

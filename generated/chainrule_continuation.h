@@ -1,0 +1,782 @@
+/* chainrule_continuation.h: follows the curve e(q) = 0 of n - 1 equations for n joints, without jumping to another one.
+ * C99, double, no allocation: the caller gives the room for the points.
+ *
+ * x stands for the joint values in rad, prismatic ones divided by a length scale; rows that are lengths are divided by a
+ * length. The steps, and why they are right:
+ *
+ * 1. Guard. At a point x0 of the curve with unit tangent t and b >= |J^+|, let K bound the second derivative of e in the
+ *    ball of radius r about x0. For b K r <= c < 1 the map T(x) = x - J^+ e(x) + (s - t.(x - x0)) t contracts the ball,
+ *    and |T(x) - x0|^2 <= s^2 + (c r / 2)^2. So for every |s| <= r sqrt(1 - c^2 / 4) the ball holds exactly one point of
+ *    the curve with t.(x - x0) = s: within that slab of the ball the solutions are one arc, through x0. A step to a
+ *    solution in it cannot have changed curves.
+ * 2. Step. Predict by the polynomial through up to 3 points and tangents, no farther than the slab; correct by
+ *    Newton's method, x -= J^+ e; halve the step where that does not contract.
+ * 3. Closure. Where the start, revolute joints shifted by whole turns, lies ahead within the slab, the arc leads to it.
+ * 4. Length. As often as the tangent has turned a little (or 6 radii were passed), the length since then is the integral of 1 / (t.d) over the
+ *    distance along the chord's direction d, by Lobatto's rule with 7 points, each corrected on the curve. Its last
+ *    Legendre coefficients, and how fast they fall, estimate the error and set the next turn.
+ * 5. Extrema of each joint and of H between points: the roots of the tangent's component and of dH/ds. */
+#ifndef CHAINRULE_CONTINUATION_H
+#define CHAINRULE_CONTINUATION_H
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+/* Why a curve ended. */
+enum {
+    CHAINRULE_CLOSED,   /* it returned to its start */
+    CHAINRULE_LENGTH,   /* the greatest length was reached */
+    CHAINRULE_SINGULAR, /* 1 / (|J| |J^+|) fell below the stated share */
+    CHAINRULE_STEPS,    /* the greatest number of steps was reached */
+    CHAINRULE_STUCK,    /* no step satisfied the guard */
+    CHAINRULE_START,    /* the start does not lead to the curve */
+    CHAINRULE_ROOM      /* there was no room for a further point */
+};
+
+/* Where to end. */
+typedef struct {
+    double longest;  /* length */
+    double singular; /* share below which J counts as singular */
+    ptrdiff_t steps; /* certified steps */
+    int direction;   /* 1 along the null vector, -1 against it */
+} chainrule_curve_settings;
+
+/* What there is besides the points. */
+typedef struct {
+    double length, closure, contraction, lowest, highest; /* the last two: H */
+    ptrdiff_t points, steps, evaluations;
+    int reason;
+} chainrule_curve_result;
+
+/* Arrays for `count` curves; a step is the distance from one curve's entries to the next one's, 0 where they share them. */
+typedef struct {
+    const double *starts;                            /* joints each */
+    const double *targets;     ptrdiff_t target_step;
+    const double *parameters;  ptrdiff_t parameter_step; /* null where the arm has none */
+    const double *units;       ptrdiff_t unit_step;  /* per joint: 1, or the length scale of a prismatic one */
+    const double *links;       ptrdiff_t link_step;  /* per joint: constant distance to the next one, or to the tip */
+    const double *sizes;       ptrdiff_t size_step;  /* the length that rows are divided by */
+} chainrule_curve_inputs;
+
+#ifdef CHAINRULE_FOLLOWS /* the code, for the units that follow a curve */
+
+#define CR_JOINTS 8 /* most joints */
+#define CR_NODES 48  /* certified points kept between two ends of the length rule */
+#define CR_ROOM (CR_NODES + 16)
+#define CR_ORDER 7
+#define CR_TURNS 6.283185307179586
+
+typedef struct chainrule_curve {
+    int joints, rows, positions, whole, spatial;
+    const char *kinds;
+    void (*held)(const struct chainrule_curve *, const double *q, double *error, double *jacobian, double *null_vector);
+    void (*bending)(const struct chainrule_curve *, const double *q, double *null_vector, double *bending);
+    const double *target, *parameters, *unit, *links;
+    double size;
+    chainrule_curve_settings settings;
+    chainrule_curve_result result;
+    double *points; /* x, dx/ds, d2x/ds2, s, H, dH/ds: 3 joints + 3 numbers each */
+    ptrdiff_t room;
+    double turn;
+} chainrule_curve;
+
+typedef struct {
+    double x[CR_JOINTS], t[CR_JOINTS], radius, s;
+} cr_node;
+
+/* What a correction leaves: the tangent, the bound of |J^+|, and the scaled Jacobian. */
+typedef struct {
+    double x[CR_JOINTS], t[CR_JOINTS], jacobian[CR_JOINTS * CR_JOINTS], bound;
+} cr_found;
+
+static const double cr_lobatto_nodes[CR_ORDER] = {0.0, 0.08488805186071653, 0.2655756032646429, 0.5, 0.7344243967353571, 0.9151119481392834, 1.0};
+static const double cr_lobatto_last[4][CR_ORDER] = { /* values to the last four Legendre coefficients */
+    {-0.16666666666666666, -0.17952466570427653, 0.6733777254041259, 0.0, -0.6733777254041259, 0.17952466570427653, 0.16666666666666666},
+    {0.21428571428571427, -0.16347064236057107, -0.46224364335371465, 0.8228571428571428, -0.46224364335371465, -0.16347064236057107, 0.21428571428571427},
+    {-0.2619047619047619, 0.5242660651521481, -0.36974277380392945, 0.0, 0.36974277380392945, -0.5242660651521481, 0.2619047619047619},
+    {0.14285714285714285, -0.34444119176359883, 0.4301554774778845, -0.45714285714285713, 0.4301554774778845, -0.34444119176359883, 0.14285714285714285},
+};
+static const double cr_lobatto_running[CR_ORDER][CR_ORDER] = { /* values to integrals up to each node */
+    {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0},
+    {0.03284626432829265, 0.05932289402755141, -0.010768594451189268, 0.005597591780569777, -0.0034889299708074626, 0.0022170965889145395, -0.0008382704426151044},
+    {0.018002223201815166, 0.15770113064168903, 0.10235481204686192, -0.018478259273459044, 0.009577580100741405, -0.005681864566224377, 0.002099981113218786},
+    {0.027529761904761904, 0.12778825555983747, 0.23748565272164546, 0.1219047619047619, -0.02161296211671413, 0.010624768120945505, -0.003720238095238095},
+    {0.021709542696305022, 0.14409488824700736, 0.20629511050418992, 0.26228778308298284, 0.1135178785580694, -0.01928810696090607, 0.0058073006077086434},
+    {0.024647794252138915, 0.13619592709186842, 0.21936162057573877, 0.23821193202895402, 0.22664128505612058, 0.07909012965323158, -0.009036740518768838},
+    {0.023809523809523808, 0.13841302368078298, 0.2158726906049313, 0.2438095238095238, 0.2158726906049313, 0.13841302368078298, 0.023809523809523808},
+};
+
+/* n numbers */
+static void cr_copy(int n, double *to, const double *from)
+{
+    memcpy(to, from, sizeof(double) * (size_t)n);
+}
+
+static double cr_dot(int n, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+        sum += a[i] * b[i];
+    }
+    return sum;
+}
+
+static double cr_distance(int n, const double *a, const double *b)
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+        sum += (a[i] - b[i]) * (a[i] - b[i]);
+    }
+    return sqrt(sum);
+}
+
+/* -J^+ e and the Frobenius norm of J^+, by orthogonalised rows; 0 where a row is zero. */
+static int cr_minimum_norm(int m, int n, const double *jacobian, const double *e, double *step, double *bound)
+{
+    double q[CR_JOINTS][CR_JOINTS], lower[CR_JOINTS][CR_JOINTS], inverse[CR_JOINTS][CR_JOINTS], total = 0.0;
+    for (int i = 0; i < m; ++i) {
+        for (int k = 0; k < n; ++k) {
+            q[i][k] = jacobian[i * n + k];
+        }
+        for (int j = 0; j < i; ++j) {
+            lower[i][j] = 0.0;
+        }
+        for (int pass = 0; pass < 2; ++pass) {
+            for (int j = 0; j < i; ++j) {
+                const double part = cr_dot(n, q[j], q[i]);
+                lower[i][j] += part;
+                for (int k = 0; k < n; ++k) {
+                    q[i][k] -= part * q[j][k];
+                }
+            }
+        }
+        const double length = sqrt(cr_dot(n, q[i], q[i]));
+        if (!(length > 1e-300)) {
+            return 0;
+        }
+        lower[i][i] = length;
+        for (int k = 0; k < n; ++k) {
+            q[i][k] /= length;
+        }
+    }
+    for (int k = 0; k < n; ++k) {
+        step[k] = 0.0;
+    }
+    for (int i = 0; i < m; ++i) {
+        double along = 0.0;
+        inverse[i][i] = 1.0 / lower[i][i];
+        for (int j = 0; j < i; ++j) {
+            double sum = 0.0;
+            for (int k = j; k < i; ++k) {
+                sum += lower[i][k] * inverse[k][j];
+            }
+            inverse[i][j] = -sum * inverse[i][i];
+        }
+        for (int j = 0; j <= i; ++j) {
+            along += inverse[i][j] * e[j];
+            total += inverse[i][j] * inverse[i][j];
+        }
+        for (int k = 0; k < n; ++k) {
+            step[k] -= along * q[i][k];
+        }
+    }
+    *bound = sqrt(total);
+    return 1;
+}
+
+/* Scaled error and Jacobian, and the unit tangent in the direction followed. */
+static int cr_held(chainrule_curve *c, const double *x, double *e, double *jacobian, double *t)
+{
+    const int n = c->joints;
+    double q[CR_JOINTS] = { 0.0 };
+    for (int i = 0; i < n; ++i) {
+        q[i] = x[i] * c->unit[i];
+    }
+    c->held(c, q, e, jacobian, t);
+    c->result.evaluations += 1;
+    for (int r = 0; r < c->rows; ++r) {
+        const double scale = r < c->positions ? 1.0 / c->size : 1.0;
+        e[r] *= scale;
+        for (int i = 0; i < n; ++i) {
+            jacobian[r * n + i] *= scale * c->unit[i];
+        }
+    }
+    double squares = 0.0;
+    for (int i = 0; i < n; ++i) {
+        t[i] /= c->unit[i];
+        squares += t[i] * t[i];
+    }
+    if (!(squares > 0.0 && squares <= DBL_MAX)) {
+        return 0;
+    }
+    const double scale = c->settings.direction / sqrt(squares);
+    for (int i = 0; i < n; ++i) {
+        t[i] *= scale;
+    }
+    return 1;
+}
+
+/* An output point at x: tangent, curvature vector, H and its slope; s is set by the caller. */
+static void cr_row(chainrule_curve *c, const double *x, double *row)
+{
+    const int n = c->joints;
+    double q[CR_JOINTS] = { 0.0 }, null_vector[CR_JOINTS], bending[CR_JOINTS], h2 = 0.0, turning = 0.0, squares = 0.0, along = 0.0;
+    for (int i = 0; i < n; ++i) {
+        q[i] = x[i] * c->unit[i];
+    }
+    c->bending(c, q, null_vector, bending);
+    c->result.evaluations += 1;
+    for (int i = 0; i < n; ++i) {
+        h2 += null_vector[i] * null_vector[i];
+        turning += null_vector[i] * bending[i];
+        null_vector[i] /= c->unit[i];
+        bending[i] /= c->unit[i];
+        squares += null_vector[i] * null_vector[i];
+        along += null_vector[i] * bending[i];
+    }
+    const double size = sqrt(squares), h = sqrt(h2);
+    for (int i = 0; i < n; ++i) {
+        row[i] = x[i];
+        row[n + i] = c->settings.direction * null_vector[i] / size;
+        row[2 * n + i] = (bending[i] - null_vector[i] * (along / squares)) / squares;
+    }
+    row[3 * n] = 0.0;
+    row[3 * n + 1] = h;
+    row[3 * n + 2] = c->settings.direction * turning / (h * size);
+}
+
+/* Newton's method onto the curve; in the plane normal.x = offset where a normal is given. */
+static int cr_correct(chainrule_curve *c, const double *guess, const double *normal, double offset, cr_found *f)
+{
+    const int n = c->joints, m = c->rows;
+    double e[CR_JOINTS], step[CR_JOINTS], before = DBL_MAX;
+    cr_copy(n, f->x, guess);
+    for (int turn = 0; turn < 12; ++turn) {
+        if (!cr_held(c, f->x, e, f->jacobian, f->t) || !cr_minimum_norm(m, n, f->jacobian, e, step, &f->bound)) {
+            return 0;
+        }
+        if (normal) {
+            const double along = cr_dot(n, normal, f->t);
+            if (!(fabs(along) >= 0.05)) {
+                return 0;
+            }
+            const double rest = (offset - cr_dot(n, normal, f->x) - cr_dot(n, normal, step)) / along;
+            for (int i = 0; i < n; ++i) {
+                step[i] += rest * f->t[i];
+            }
+        }
+        const double size = sqrt(cr_dot(n, step, step));
+        if (!(size <= fmax(0.5 * before, 1e-11))) {
+            return 0;
+        }
+        for (int i = 0; i < n; ++i) {
+            f->x[i] += step[i];
+        }
+        if (size <= 1e-9) {
+            return 1;
+        }
+        before = size;
+    }
+    return 0;
+}
+
+/* K: the largest eigenvalue of bounds of the second derivatives in the ball. For i <= j, d2p/dq_i dq_j = w_i x v_j (0 where
+ * i is prismatic) is at most the distance of the tip from joint j (1 where j is prismatic): what the links beyond j reach,
+ * or |v_j| at the centre plus radius times the bound of its own derivative. Rows of a spatial orientation have the skew
+ * part of [w_i][w_j] E: 1/2 for i != j and 0 for i = j where E = I, and sqrt(n) radius more in the ball. */
+static double cr_second_derivative(const chainrule_curve *c, const double *x, const double *jacobian, double radius)
+{
+    const int n = c->joints;
+    double reach[CR_JOINTS], bound[CR_JOINTS][CR_JOINTS], y[CR_JOINTS], image[CR_JOINTS], ratio = 0.0, rest = 0.0;
+    for (int j = n - 1; j >= 0; --j) {
+        rest += c->links[j] + (c->kinds[j] == 'R' ? 0.0 : c->unit[j] * (fabs(x[j]) + radius));
+        reach[j] = c->kinds[j] == 'R' ? rest : 1.0;
+    }
+    if (c->whole) {
+        double closer[CR_JOINTS];
+        for (int j = 0; j < n; ++j) {
+            double speed = 0.0, slope = 0.0;
+            for (int r = 0; r < c->positions; ++r) {
+                speed += jacobian[r * n + j] * jacobian[r * n + j];
+            }
+            for (int i = 0; i < n; ++i) {
+                const double change = c->kinds[i < j ? i : j] == 'R' ? reach[i < j ? j : i] * c->unit[i] : 0.0;
+                slope += change * change;
+            }
+            closer[j] = c->kinds[j] == 'R' ? fmin(reach[j], sqrt(speed) * c->size / c->unit[j] + radius * sqrt(slope)) : 1.0;
+        }
+        cr_copy(n, reach, closer);
+    }
+    for (int i = 0; i < n; ++i) {
+        y[i] = 1.0;
+        for (int j = i; j < n; ++j) {
+            double value = c->kinds[i] == 'R' ? reach[j] * c->unit[i] * c->unit[j] / c->size : 0.0;
+            if (c->spatial && c->kinds[i] == 'R' && c->kinds[j] == 'R') {
+                const double turns = sqrt((double)n) * radius + (i != j ? 0.5 : 0.0);
+                value = sqrt(value * value + turns * turns);
+            }
+            bound[i][j] = bound[j][i] = value;
+        }
+    }
+    for (int turn = 0; turn < 6; ++turn) { /* at most max (A y)_i / y_i for any y > 0 (Collatz and Wielandt) */
+        ratio = 0.0;
+        for (int i = 0; i < n; ++i) {
+            image[i] = cr_dot(n, bound[i], y);
+            ratio = fmax(ratio, image[i] / y[i]);
+        }
+        for (int i = 0; i < n; ++i) {
+            y[i] = fmax(image[i] / fmax(ratio, 1e-300), 1e-6);
+        }
+    }
+    return ratio;
+}
+
+/* The radius of the ball in which the curve is one arc. */
+static double cr_radius(const chainrule_curve *c, const cr_found *f, double last)
+{
+    double trial = fmin(1.5 * last, 1.0), allowed = 0.0;
+    for (int turn = 0; turn < 3; ++turn) {
+        const double curving = cr_second_derivative(c, f->x, f->jacobian, trial);
+        allowed = curving > 0.0 ? 0.9 / (f->bound * curving) : DBL_MAX;
+        if (allowed >= 0.5 * trial || turn == 2) {
+            break;
+        }
+        trial = fmin(2.0 * allowed, 0.5 * trial);
+    }
+    return fmin(trial, allowed);
+}
+
+static int cr_singular(const chainrule_curve *c, const cr_found *f)
+{
+    const double size = sqrt(cr_dot(c->rows * c->joints, f->jacobian, f->jacobian));
+    return !(size * f->bound * c->settings.singular < 1.0);
+}
+
+/* The Hermite polynomial through the last nodes and their tangents, `step` beyond the last one. */
+static void cr_predict(int n, const cr_node *history, int count, double step, double *guess)
+{
+    double knots[2 * 3], table[2 * 3][CR_JOINTS];
+    const int knotted = 2 * count;
+    for (int k = 0; k < knotted; ++k) {
+        knots[k] = history[k / 2].s - history[count - 1].s;
+        cr_copy(n, table[k], history[k / 2].x);
+    }
+    for (int order = 1; order < knotted; ++order) { /* divided differences in place, the last entries first */
+        for (int k = knotted - 1; k >= order; --k) {
+            if (order == 1 && k % 2 == 1) {
+                cr_copy(n, table[k], history[k / 2].t);
+            } else {
+                for (int i = 0; i < n; ++i) {
+                    table[k][i] = (table[k][i] - table[k - 1][i]) / (knots[k] - knots[k - order]);
+                }
+            }
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        double value = table[knotted - 1][i];
+        for (int k = knotted - 2; k >= 0; --k) {
+            value = table[k][i] + (step - knots[k]) * value;
+        }
+        guess[i] = value;
+    }
+}
+
+/* The cubic with these values and derivatives at 0 and 1. */
+static double cr_hermite(double x0, double d0, double x1, double d1, double u)
+{
+    const double v = 1.0 - u;
+    return (1.0 + 2.0 * u) * v * v * x0 + u * v * v * d0 + (1.0 + 2.0 * v) * u * u * x1 - u * u * v * d1;
+}
+
+/* The cubic through two nodes and their tangents, at the share u of the way along d. */
+static void cr_between(int n, const cr_node *a, const cr_node *b, const double *d, double u, double *guess)
+{
+    const double width = cr_dot(n, d, b->x) - cr_dot(n, d, a->x);
+    const double first = width / cr_dot(n, d, a->t), last = width / cr_dot(n, d, b->t);
+    for (int i = 0; i < n; ++i) {
+        guess[i] = cr_hermite(a->x[i], first * a->t[i], b->x[i], last * b->t[i], u);
+    }
+}
+
+/* Lobatto's rule over nodes 0 .. end: 1 done, 0 not accurate enough, -1 no room. */
+static int cr_rule(chainrule_curve *c, const cr_node *nodes, int end, int always)
+{
+    const int n = c->joints, width = 3 * n + 3;
+    const cr_node *first = nodes, *last = nodes + end;
+    const double chord = cr_distance(n, last->x, first->x);
+    double d[CR_JOINTS], values[CR_ORDER], along[CR_ROOM], guess[CR_JOINTS];
+    cr_found f;
+    if (chord == 0.0) {
+        return 1;
+    }
+    if (c->result.points + CR_ORDER > c->room) {
+        return -1;
+    }
+    for (int i = 0; i < n; ++i) {
+        d[i] = (last->x[i] - first->x[i]) / chord;
+    }
+    const double offset = cr_dot(n, d, first->x);
+    for (int j = 0; j <= end; ++j) {
+        along[j] = cr_dot(n, d, nodes[j].x) - offset;
+        if (!always && (cr_dot(n, d, nodes[j].t) < 0.3 || (j > 0 && along[j] <= along[j - 1]))) {
+            return 0;
+        }
+    }
+    double *rows = c->points + (c->result.points - 1) * width; /* the point before, which is nodes[0] */
+    for (int k = 1, j = 0; k < CR_ORDER - 1; ++k) {
+        const double place = cr_lobatto_nodes[k] * chord;
+        while (j < end - 1 && along[j + 1] < place) {
+            ++j;
+        }
+        cr_between(n, nodes + j, nodes + j + 1, d, (place - along[j]) / (along[j + 1] - along[j]), guess);
+        if (!cr_correct(c, guess, d, offset + place, &f) || cr_distance(n, f.x, nodes[j].x) > nodes[j].radius) {
+            if (!always) {
+                return 0;
+            }
+            cr_copy(n, f.x, guess);
+        }
+        cr_row(c, f.x, rows + k * width);
+    }
+    cr_row(c, last->x, rows + (CR_ORDER - 1) * width);
+    for (int k = 0; k < CR_ORDER; ++k) {
+        values[k] = 1.0 / cr_dot(n, d, rows + k * width + n);
+    }
+    double sizes[4]; /* of smooth integrands they fall as r^-k, and the rule's error as r^-(2 CR_ORDER - 2) */
+    for (int k = 0; k < 4; ++k) {
+        sizes[k] = fabs(cr_dot(CR_ORDER, cr_lobatto_last[k], values));
+    }
+    const double end_size = fmax(sizes[2], sizes[3]), fall = end_size / fmax(fmax(sizes[0], sizes[1]), 1e-300);
+    const double error = end_size * (fall < 1.0 ? fall * fall * fall : 1.0);
+    if (error > 1e-11 && !always && chord > 1e-9) {
+        c->turn = fmax(0.7 * c->turn, 0.02);
+        return 0;
+    }
+    const double factor = fmin(0.9 * pow(1e-11 / fmax(error, 1e-300), 1.0 / (2 * CR_ORDER)), 1.5);
+    c->turn = fmin(fmax(c->turn * factor, 0.02), 0.7);
+    const double before = rows[3 * n];
+    for (int k = 1; k < CR_ORDER; ++k) {
+        rows[k * width + 3 * n] = before + chord * cr_dot(CR_ORDER, cr_lobatto_running[k], values);
+    }
+    c->result.points += CR_ORDER - 1;
+    return 1;
+}
+
+/* A further certified node between two neighbours. */
+static int cr_halved(chainrule_curve *c, const cr_node *a, const cr_node *b, cr_node *middle)
+{
+    const int n = c->joints;
+    const double chord = cr_distance(n, b->x, a->x);
+    double d[CR_JOINTS], guess[CR_JOINTS];
+    cr_found f;
+    if (chord < 1e-9) {
+        return 0;
+    }
+    for (int i = 0; i < n; ++i) {
+        d[i] = (b->x[i] - a->x[i]) / chord;
+    }
+    if (cr_dot(n, a->t, d) < 0.3 || cr_dot(n, b->t, d) < 0.3) {
+        return 0;
+    }
+    cr_between(n, a, b, d, 0.5, guess);
+    if (!cr_correct(c, guess, d, cr_dot(n, d, a->x) + 0.5 * chord, &f)) {
+        return 0;
+    }
+    cr_copy(n, middle->x, f.x);
+    cr_copy(n, middle->t, f.t);
+    middle->radius = a->radius - cr_distance(n, f.x, a->x);
+    middle->s = 0.5 * (a->s + b->s);
+    return 1;
+}
+
+/* Points and length over the nodes; the last of them becomes the first. 0 where there is no room. */
+static int cr_measure(chainrule_curve *c, cr_node *nodes, int *count)
+{
+    int begin = 0;
+    while (begin < *count - 1) {
+        int end = *count - 1, done = cr_rule(c, nodes + begin, end - begin, 0);
+        while (done == 0) {
+            if (end > begin + 1) {
+                end = (begin + end) / 2;
+                done = cr_rule(c, nodes + begin, end - begin, 0);
+                continue;
+            }
+            cr_node middle;
+            if (*count < CR_ROOM && cr_halved(c, nodes + begin, nodes + end, &middle)) {
+                memmove(nodes + end + 1, nodes + end, sizeof(cr_node) * (size_t)(*count - end));
+                nodes[end] = middle;
+                *count += 1;
+                done = cr_rule(c, nodes + begin, end - begin, 0);
+            } else { /* cannot be refined: take it as it is */
+                done = cr_rule(c, nodes + begin, end - begin, 1);
+            }
+        }
+        if (done < 0) {
+            return 0;
+        }
+        begin = end;
+    }
+    nodes[0] = nodes[*count - 1];
+    *count = 1;
+    return 1;
+}
+
+/* The slope of joint i (of H for i = n) between two points, at the share u of the length: of its cubic. */
+static double cr_slope(int n, const double *a, const double *b, int i, double u)
+{
+    const double width = b[3 * n] - a[3 * n];
+    if (i < n) {
+        return cr_hermite(a[n + i], width * a[2 * n + i], b[n + i], width * b[2 * n + i], u);
+    }
+    const double rise = (b[3 * n + 1] - a[3 * n + 1]) / width, v = 1.0 - u;
+    return (1.0 - 3.0 * u) * v * a[3 * n + 2] + (1.0 - 3.0 * v) * u * b[3 * n + 2] + 6.0 * u * v * rise;
+}
+
+/* An extremum of joint i (of H for i = n), by false position (Illinois) on the slope, evaluated on the curve itself. */
+static int cr_extremum(chainrule_curve *c, const double *a, const double *b, int i, double low, double high, double g_low,
+                       double g_high, double *row)
+{
+    const int n = c->joints;
+    const double width = b[3 * n] - a[3 * n];
+    int side = 0;
+    for (int turn = 0; turn < 12; ++turn) {
+        double u = g_high != g_low ? low - g_low * (high - low) / (g_high - g_low) : 0.5 * (low + high);
+        if (turn == 0 && i < n) { /* the root of the cubic */
+            double left = low, right = high;
+            for (int k = 0; k < 40; ++k) {
+                u = 0.5 * (left + right);
+                if ((cr_slope(n, a, b, i, u) > 0.0) == (g_high > 0.0)) {
+                    right = u;
+                } else {
+                    left = u;
+                }
+            }
+        }
+        double guess[CR_JOINTS];
+        cr_found f;
+        for (int k = 0; k < n; ++k) {
+            guess[k] = cr_hermite(a[k], width * a[n + k], b[k], width * b[n + k], u);
+        }
+        if (!cr_correct(c, guess, NULL, 0.0, &f)) {
+            return 0;
+        }
+        cr_row(c, f.x, row);
+        const double g = i < n ? row[n + i] : row[3 * n + 2];
+        const double scale = i < n ? 1.0 : fabs(a[3 * n + 2]) + fabs(b[3 * n + 2]);
+        if (fabs(g) <= 1e-6 * scale || high - low < 1e-7) {
+            return 1;
+        }
+        if ((g > 0.0) == (g_low > 0.0)) {
+            low = u;
+            g_low = g;
+            g_high *= side == 1 ? 0.5 : 1.0;
+            side = 1;
+        } else {
+            high = u;
+            g_high = g;
+            g_low *= side == -1 ? 0.5 : 1.0;
+            side = -1;
+        }
+    }
+    return 1;
+}
+
+/* Least and greatest joint values and H, between the points too. */
+static void cr_extrema(chainrule_curve *c, double *box)
+{
+    const int n = c->joints, width = 3 * n + 3;
+    double low[CR_JOINTS + 1], high[CR_JOINTS + 1], row[3 * CR_JOINTS + 3];
+    for (int i = 0; i <= n; ++i) {
+        low[i] = INFINITY;
+        high[i] = -INFINITY;
+    }
+    for (ptrdiff_t k = 0; k < c->result.points; ++k) {
+        const double *a = c->points + k * width, *b = a + width;
+        for (int i = 0; i <= n; ++i) {
+            const int place = i < n ? i : 3 * n + 1;
+            low[i] = fmin(low[i], a[place]);
+            high[i] = fmax(high[i], a[place]);
+            if (k == c->result.points - 1 || !(b[3 * n] > a[3 * n])) {
+                continue;
+            }
+            double before = cr_slope(n, a, b, i, 0.0);
+            for (int part = 0; part < 4; ++part) {
+                const double after = cr_slope(n, a, b, i, 0.25 * (part + 1));
+                if ((before > 0.0) != (after > 0.0)
+                    && cr_extremum(c, a, b, i, 0.25 * part, 0.25 * (part + 1), before, after, row)) {
+                    low[i] = fmin(low[i], row[place]);
+                    high[i] = fmax(high[i], row[place]);
+                }
+                before = after;
+            }
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        box[2 * i] = low[i] * c->unit[i];
+        box[2 * i + 1] = high[i] * c->unit[i];
+    }
+    c->result.lowest = low[n];
+    c->result.highest = high[n];
+}
+
+/* Follow one curve from `start`; box (joints, 2). What there is to say is in curve->result. */
+static void chainrule_follow(chainrule_curve *c, const double *start, double *box)
+{
+    const int n = c->joints, width = 3 * n + 3;
+    cr_node nodes[CR_ROOM], history[3], origin;
+    cr_found f;
+    double guess[CR_JOINTS], ahead[CR_JOINTS], e[CR_JOINTS];
+    int count = 1, remembered = 1, reason = -1;
+    memset(&c->result, 0, sizeof c->result);
+    memset(&origin, 0, sizeof origin);
+    c->result.closure = NAN;
+    c->turn = 0.4;
+    for (int i = 0; i < n; ++i) {
+        guess[i] = start[i] / c->unit[i];
+    }
+    if (c->room < 1) {
+        c->result.reason = CHAINRULE_ROOM;
+        return;
+    }
+    if (!cr_correct(c, guess, NULL, 0.0, &f)) {
+        /* where J has lost rank on the target itself there is no tangent to begin with */
+        const int there = (cr_held(c, guess, e, f.jacobian, f.t), cr_dot(c->rows, e, e) < 1e-18);
+        c->result.reason = there ? CHAINRULE_SINGULAR : CHAINRULE_START;
+        cr_extrema(c, box);
+        return;
+    }
+    if (cr_singular(c, &f)) {
+        c->result.reason = CHAINRULE_SINGULAR;
+        cr_extrema(c, box);
+        return;
+    }
+    cr_copy(n, origin.x, f.x);
+    cr_copy(n, origin.t, f.t);
+    origin.radius = cr_radius(c, &f, 0.5);
+    nodes[0] = history[0] = origin;
+    cr_row(c, origin.x, c->points);
+    c->result.points = 1;
+    double step = 0.85 * origin.radius, smallest = origin.radius;
+    while (reason < 0) {
+        const cr_node *here = nodes + count - 1;
+        const double *row = c->points + (c->result.points - 1) * width;
+        double along = 0.0, distance = 0.0;
+        for (int i = 0; i < n; ++i) { /* the start, shifted by whole turns to where it is nearest */
+            const double apart = here->x[i] - origin.x[i];
+            ahead[i] = origin.x[i] + (c->kinds[i] == 'R' ? CR_TURNS * floor(apart / CR_TURNS + 0.5) : 0.0);
+            along += here->t[i] * (ahead[i] - here->x[i]);
+            distance += (ahead[i] - here->x[i]) * (ahead[i] - here->x[i]);
+        }
+        if (along > 0.0 && along <= 0.89 * here->radius && sqrt(distance) <= here->radius) {
+            cr_predict(n, history, remembered, along, guess);
+            if (cr_correct(c, guess, origin.t, cr_dot(n, origin.t, ahead), &f)) {
+                cr_copy(n, guess, f.x);
+            }
+            c->result.closure = 0.0;
+            for (int i = 0; i < n; ++i) {
+                c->result.closure = fmax(c->result.closure, fabs(guess[i] - ahead[i]));
+            }
+            nodes[count] = *here;
+            cr_copy(n, nodes[count].x, ahead);
+            cr_copy(n, nodes[count].t, origin.t);
+            count += 1;
+            reason = CHAINRULE_CLOSED;
+            break;
+        }
+        if (row[3 * n] + cr_distance(n, here->x, row) >= c->settings.longest) {
+            reason = CHAINRULE_LENGTH;
+            break;
+        }
+        if (c->result.steps >= c->settings.steps) {
+            reason = CHAINRULE_STEPS;
+            break;
+        }
+        step = fmin(fmin(step, 0.85 * here->radius), 0.5);
+        if (remembered > 1) {
+            const cr_node *one = history + remembered - 2, *two = one + 1;
+            const double bend = cr_distance(n, one->t, two->t) / (two->s - one->s);
+            step = bend > 0.0 ? fmin(step, 0.5 / bend) : step;
+        }
+        int found = 0;
+        for (; step > 1e-3 * here->radius; step *= 0.5) {
+            cr_predict(n, history, remembered, step, guess);
+            if (!cr_correct(c, guess, NULL, 0.0, &f)) {
+                continue;
+            }
+            distance = cr_distance(n, f.x, here->x);
+            along = cr_dot(n, here->t, f.x) - cr_dot(n, here->t, here->x);
+            if (along > 0.0 && along <= 0.89 * here->radius && distance <= here->radius) {
+                found = 1;
+                break;
+            }
+        }
+        if (!found) {
+            reason = CHAINRULE_STUCK;
+            break;
+        }
+        c->result.steps += 1;
+        c->result.contraction = fmax(c->result.contraction, 0.9 * distance / here->radius);
+        cr_node *next = nodes + count;
+        const double turned = cr_distance(n, f.t, here->t);
+        cr_copy(n, next->x, f.x);
+        cr_copy(n, next->t, f.t);
+        next->radius = cr_radius(c, &f, here->radius);
+        smallest = fmin(count == 1 ? here->radius : smallest, next->radius);
+        next->s = here->s + distance * (1.0 + turned * turned / 24.0);
+        count += 1;
+        if (remembered == 3) {
+            memmove(history, history + 1, sizeof(cr_node) * (3 - 1));
+            remembered -= 1;
+        }
+        history[remembered] = *next;
+        remembered += 1;
+        step *= 2.0;
+        if (cr_singular(c, &f)) {
+            reason = CHAINRULE_SINGULAR;
+        } else if (count >= CR_NODES || cr_distance(n, f.t, nodes[0].t) >= c->turn
+                   || cr_distance(n, f.x, nodes[0].x) >= 6 * smallest) {
+            if (!cr_measure(c, nodes, &count)) {
+                reason = CHAINRULE_ROOM;
+            }
+        }
+    }
+    if (reason != CHAINRULE_ROOM && !cr_measure(c, nodes, &count)) {
+        reason = CHAINRULE_ROOM;
+    }
+    c->result.reason = reason;
+    c->result.length = c->points[(c->result.points - 1) * width + 3 * n];
+    if (reason != CHAINRULE_ROOM) {
+        cr_extrema(c, box);
+    }
+}
+
+/* Follow many curves, one after the other; returns how many were done before there was no room for another. */
+static ptrdiff_t chainrule_follow_all(chainrule_curve *c, ptrdiff_t count, const chainrule_curve_inputs *inputs,
+                                      const chainrule_curve_settings *settings, ptrdiff_t room, double *points,
+                                      double *boxes, chainrule_curve_result *results)
+{
+    const int n = c->joints;
+    ptrdiff_t taken = 0;
+    c->settings = *settings;
+    for (ptrdiff_t k = 0; k < count; ++k) {
+        c->target = inputs->targets + k * inputs->target_step;
+        c->parameters = inputs->parameters ? inputs->parameters + k * inputs->parameter_step : NULL;
+        c->unit = inputs->units + k * inputs->unit_step;
+        c->links = inputs->links + k * inputs->link_step;
+        c->size = inputs->sizes[k * inputs->size_step];
+        c->points = points + taken * (3 * n + 3);
+        c->room = room - taken;
+        chainrule_follow(c, inputs->starts + k * n, boxes + k * 2 * n);
+        results[k] = c->result;
+        if (c->result.reason == CHAINRULE_ROOM) {
+            return k;
+        }
+        taken += c->result.points;
+    }
+    return count;
+}
+
+#endif /* CHAINRULE_FOLLOWS */
+
+#endif /* CHAINRULE_CONTINUATION_H */

@@ -1,0 +1,59 @@
+/* panda_continuation_pose.h: continuation pose of panda.
+ * Made from templates/kernel.h.j2; inputs e8880de3aca6cc169af480bb18f8123171d2df2d57e1fc7751ec55ee4980485b.
+ * 911 operations. Do not edit: change the derivation and regenerate.
+ *
+ * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
+ *
+ * name(inputs..., outputs...)        one configuration; no state, no allocation, bounded time
+ * name_batch(count, args, steps)     many: args are the arrays in the order of the scalar function's arguments; steps
+ *                                    are byte strides, first from one configuration to the next for each argument,
+ *                                    then for each argument's own axes in turn
+ */
+#ifndef CHAINRULE_PANDA_CONTINUATION_POSE_H
+#define CHAINRULE_PANDA_CONTINUATION_POSE_H
+
+#include <stddef.h>
+
+#include "../chainrule_continuation.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The digest above, to tell a library from another. */
+extern const char panda_continuation_pose_digest[];
+
+/* error of the pose, its Jacobian, and the null vector from its signed minors.
+ *   in   q[7]
+ *   in   held[4][4] = (target_00, target_01, target_02, target_03, target_10, target_11, target_12, target_13, target_20, target_21, target_22, target_23, target_30, target_31, target_32, target_33)
+ *   out  error[6]
+ *   out  jacobian[6][7]
+ *   out  null_vector[7]
+ *   412 operations */
+void panda_continuation_pose(const double *q, const double *held, double *error, double *jacobian, double *null_vector);
+void panda_continuation_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void panda_continuation_posef(const float *q, const float *held, float *error, float *jacobian, float *null_vector);
+void panda_continuation_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* null vector of the pose Jacobian, and its derivative along itself.
+ *   in   q[7]
+ *   out  null_vector[7]
+ *   out  bending[7]
+ *   499 operations */
+void panda_continuation_pose_bending(const double *q, double *null_vector, double *bending);
+void panda_continuation_pose_bending_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void panda_continuation_pose_bendingf(const float *q, float *null_vector, float *bending);
+void panda_continuation_pose_bending_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* The curves on which the pose is held, from a start each (chainrule_continuation.h says how).
+ *   in   inputs (starts[count][7], targets, units, links, sizes), settings, room (for so many points)
+ *   out  points[room][24] (per point x, dx/ds, d2x/ds2, s, H, dH/ds; curve after curve), boxes[count][7][2], results[count]
+ * Returns how many curves were followed; less than count where there was no room for the next one. */
+ptrdiff_t panda_continuation_pose_follow(ptrdiff_t count, const chainrule_curve_inputs *inputs, const chainrule_curve_settings *settings,
+    ptrdiff_t room, double *points, double *boxes, chainrule_curve_result *results);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* CHAINRULE_PANDA_CONTINUATION_POSE_H */

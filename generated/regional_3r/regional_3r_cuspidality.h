@@ -1,0 +1,225 @@
+/* regional_3r_cuspidality.h: cuspidality of regional_3r.
+ * Made from templates/kernel.h.j2; inputs da6e6d44c3cf2162b69bbe8b9569a7df5770ee1c5a8f7f7566a23e7bc677cff0.
+ * 3766 operations. Do not edit: change the derivation and regenerate.
+ *
+ * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
+ *
+ * name(inputs..., outputs...)        one configuration; no state, no allocation, bounded time
+ * name_batch(count, args, steps)     many: args are the arrays in the order of the scalar function's arguments; steps
+ *                                    are byte strides, first from one configuration to the next for each argument,
+ *                                    then for each argument's own axes in turn
+ */
+#ifndef CHAINRULE_REGIONAL_3R_CUSPIDALITY_H
+#define CHAINRULE_REGIONAL_3R_CUSPIDALITY_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The digest above, to tell a library from another. */
+extern const char regional_3r_cuspidality_digest[];
+
+/* coefficients, lowest power of tan(theta3/2) first, of the quartic whose roots are the postures at a target.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   target[2] = (rho_squared, z)
+ *   out  quartic[5]
+ *   95 operations */
+void regional_3r_quartic(const double *parameters, const double *target, double *quartic);
+void regional_3r_quartic_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_quarticf(const float *parameters, const float *target, float *quartic);
+void regional_3r_quartic_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* coefficients, lowest power first, of the polynomial in tan(theta3/2) whose roots are the cusps.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   out  polynomial[13]
+ *   246 operations */
+void regional_3r_cusp_polynomial(const double *parameters, double *polynomial);
+void regional_3r_cusp_polynomial_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_cusp_polynomialf(const float *parameters, float *polynomial);
+void regional_3r_cusp_polynomial_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* coefficients, lowest power first, of the polynomial in tan(theta3/2) whose roots are the cusps, for alpha2 =
+ * +-90 deg: those with z^2 >= 0.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   out  polynomial[7]
+ *   44 operations */
+void regional_3r_cusp_polynomial_right_angle(const double *parameters, double *polynomial);
+void regional_3r_cusp_polynomial_right_angle_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_cusp_polynomial_right_anglef(const float *parameters, float *polynomial);
+void regional_3r_cusp_polynomial_right_angle_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* coefficients, lowest power first, of the polynomial in tan(theta3/2) that is (a^2 + b^2 - c^2)/d4^2.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   out  polynomial[9]
+ *   115 operations */
+void regional_3r_aspect_polynomial(const double *parameters, double *polynomial);
+void regional_3r_aspect_polynomial_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_aspect_polynomialf(const float *parameters, float *polynomial);
+void regional_3r_aspect_polynomial_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* a, b, c of det J = a cos(theta2) + b sin(theta2) + c, from cos(theta3) and sin(theta3).
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   elbow[2] = (c3, s3)
+ *   out  terms[3]
+ *   36 operations */
+void regional_3r_determinant_terms(const double *parameters, const double *elbow, double *terms);
+void regional_3r_determinant_terms_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_determinant_termsf(const float *parameters, const float *elbow, float *terms);
+void regional_3r_determinant_terms_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* numerators of rho^2 and of z of the cusp at a root of the cusp polynomial, and their denominator.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   elbow[2] = (c3, s3)
+ *   out  cusp[3]
+ *   92 operations */
+void regional_3r_triple_point(const double *parameters, const double *elbow, double *cusp);
+void regional_3r_triple_point_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_triple_pointf(const float *parameters, const float *elbow, float *cusp);
+void regional_3r_triple_point_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* numerators of rho^2 and of z^2 of the cusp at a root of the cusp polynomial, and their denominator.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   elbow[2] = (c3, s3)
+ *   out  cusp[3]
+ *   77 operations */
+void regional_3r_triple_point_right_angle(const double *parameters, const double *elbow, double *cusp);
+void regional_3r_triple_point_right_angle_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_triple_point_right_anglef(const float *parameters, const float *elbow, float *cusp);
+void regional_3r_triple_point_right_angle_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* rho^2 and z of the point, from the cosines and sines of theta2 and theta3.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   shoulder[2] = (c2, s2)
+ *   in   elbow[2] = (c3, s3)
+ *   out  target[2]
+ *   27 operations */
+void regional_3r_image(const double *parameters, const double *shoulder, const double *elbow, double *target);
+void regional_3r_image_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_imagef(const float *parameters, const float *shoulder, const float *elbow, float *target);
+void regional_3r_image_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* the conic E whose double contact with the unit circle is a node, by powers of R and z.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   out  conic[6][5]
+ *   188 operations */
+void regional_3r_conic_terms(const double *parameters, double *conic);
+void regional_3r_conic_terms_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_conic_termsf(const float *parameters, float *conic);
+void regional_3r_conic_terms_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* numbers in the ratio of cos(theta2) and sin(theta2) of a posture at a target, and W.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   target[2] = (rho_squared, z)
+ *   in   elbow[2] = (c3, s3)
+ *   out  ratio[3]
+ *   51 operations */
+void regional_3r_shoulder(const double *parameters, const double *target, const double *elbow, double *ratio);
+void regional_3r_shoulder_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_shoulderf(const float *parameters, const float *target, const float *elbow, float *ratio);
+void regional_3r_shoulder_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* the point at theta1 = 0, from the cosines and sines of theta2 and theta3.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   shoulder[2] = (c2, s2)
+ *   in   elbow[2] = (c3, s3)
+ *   out  point[3]
+ *   24 operations */
+void regional_3r_unturned(const double *parameters, const double *shoulder, const double *elbow, double *point);
+void regional_3r_unturned_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_unturnedf(const float *parameters, const float *shoulder, const float *elbow, float *point);
+void regional_3r_unturned_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* how many postures reach a target; in double precision certainly so where the margin exceeds 1.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   target[2] = (rho_squared, z)
+ *   out  number (one number)
+ *   out  margin (one number)
+ *   out  four (one number)
+ *   286 operations */
+void regional_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin, double *four);
+void regional_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin, float *four);
+void regional_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   point[3] = (x, y, z)
+ *   out  angles[4][3]
+ *   out  room[2]
+ *   out  closure[4]
+ *   out  slope[4]
+ *   out  number (one number)
+ *   out  margin (one number)
+ *   out  four (one number)
+ *   1729 operations */
+void regional_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin, double *four);
+void regional_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin, float *four);
+void regional_3r_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* the postures of an arm with axes 1 and 2 intersecting, the distance each leaves, and W.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   point[3] = (x, y, z)
+ *   out  angles[4][3]
+ *   out  closure[4]
+ *   out  width[4]
+ *   330 operations */
+void regional_3r_postures_intersecting(const double *parameters, const double *point, double *angles, double *closure, double *width);
+void regional_3r_postures_intersecting_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_postures_intersectingf(const float *parameters, const float *point, float *angles, float *closure, float *width);
+void regional_3r_postures_intersecting_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* the postures of an arm with axes 1 and 2 parallel, the distance each leaves, and W.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   point[3] = (x, y, z)
+ *   out  angles[4][3]
+ *   out  closure[4]
+ *   out  width[4]
+ *   324 operations */
+void regional_3r_postures_parallel(const double *parameters, const double *point, double *angles, double *closure, double *width);
+void regional_3r_postures_parallel_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_postures_parallelf(const float *parameters, const float *point, float *angles, float *closure, float *width);
+void regional_3r_postures_parallel_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* coefficients, lowest power of t = tan(theta3/2) first, of (1 + t^2) U, (1 + t^2) V and (1 + t^2)^2 W.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   target[2] = (rho_squared, z)
+ *   out  U[3]
+ *   out  V[3]
+ *   out  W[5]
+ *   57 operations */
+void regional_3r_sweep_conditions(const double *parameters, const double *target, double *U, double *V, double *W);
+void regional_3r_sweep_conditions_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_sweep_conditionsf(const float *parameters, const float *target, float *U, float *V, float *W);
+void regional_3r_sweep_conditions_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* U and V, and f1 and f2, the point in the frame of joint 2, from cos(theta3), sin(theta3) and a target.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   elbow[2] = (c3, s3)
+ *   in   target[2] = (rho_squared, z)
+ *   out  mismatch[2]
+ *   out  point[2]
+ *   36 operations */
+void regional_3r_sweep_elbow(const double *parameters, const double *elbow, const double *target, double *mismatch, double *point);
+void regional_3r_sweep_elbow_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_sweep_elbowf(const float *parameters, const float *elbow, const float *target, float *mismatch, float *point);
+void regional_3r_sweep_elbow_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* x and y of the point at theta1 = 0, from A, B and cos(theta3), sin(theta3).
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   elbow[2] = (c3, s3)
+ *   in   turned[2] = (A, B)
+ *   out  xy[2]
+ *   9 operations */
+void regional_3r_sweep_base(const double *parameters, const double *elbow, const double *turned, double *xy);
+void regional_3r_sweep_base_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_sweep_basef(const float *parameters, const float *elbow, const float *turned, float *xy);
+void regional_3r_sweep_base_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* CHAINRULE_REGIONAL_3R_CUSPIDALITY_H */
