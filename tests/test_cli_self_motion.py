@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ import chainrule as cr
 from chainrule import cli
 from chainrule.plot.self_motion import animation, draw_self_motion
 from chainrule.self_motions import words
+from chainrule.self_motions.result import ENDS, limit_reason
 
 D = np.array([0.40, 0.35, 0.25])
 POSTURE = "0.1,-0.5,0.3,-2.0,0.2,1.6,0.4"
@@ -156,6 +158,12 @@ def test_what_is_out_of_reach_exits_with_one(call, tmp_path):
     assert "unreachable" in out
 
 
+def test_a_singular_pose_is_not_out_of_reach(call):
+    code, out, err = call("iiwa14", "--at", "0,0,0,0,0,0,0")
+    assert (code, err) == (0, "")
+    assert "The target is singular" in out
+
+
 def test_no_best_posture_within_the_limits_exits_with_one(call, tmp_path):
     file = tmp_path / "stiff.toml"
     file.write_text(
@@ -186,7 +194,7 @@ def test_no_best_posture_within_the_limits_exits_with_one(call, tmp_path):
         (("lenarcic_3r", "--target", "0.4,0", "--figure", "a.bmp"), ".svg, .png or .pdf"),
         (("lenarcic_3r", "--target", "0.4,0", "--animation", "a.mp4"), ".gif"),
         (("lenarcic_3r", "--target", "0.4,0", "--csv", "a.txt"), ".csv"),
-        (("lenarcic_3r", "--target", "2,0", "--animation", "a.gif"), "there is no curve to show"),
+        (("lenarcic_3r", "--target", "2,0", "--animation", "a.gif"), "there is no curve to show at this target"),
         (("lenarcic_3r", "--along", "0:1"), "X0:X1:N is accepted"),
         (("lenarcic_3r", "--along", "0:1:1"), "a whole number of 2 or more"),
         (("lenarcic_3r", "--along", "0:1:1e9"), "a whole number of 2 or more"),
@@ -259,6 +267,15 @@ def test_the_animation_moves_the_arm_and_not_the_tip():
         assert (r == red[0]).mean() > 0.999
 
 
+def test_ends_of_arcs_are_short():
+    arm = cr.planar_3r(*D).with_limits(position=[(-2.0, 2.0)] * 3)
+    found = cr.self_motion(arm, [0.4, 0.0], limits=True)
+    part = replace(found.feasible[0], ends=(limit_reason(3, True), ENDS["singular"]))
+    table = words.arcs_table(arm, replace(found, feasible=(part,)))
+    assert table.rows[0][-1] == "q3 (upper), singular"
+    assert words.arcs_table(arm, found).rows[0][:2] == (1, 1)
+
+
 # ---- words ---------------------------------------------------------------------------------------------------------
 
 
@@ -272,6 +289,7 @@ def test_words_do_not_claim_what_is_not_known():
     nothing = cr.self_motion(slide, [0.4, 3.0])
     assert words.finding(nothing) == "The target is out of reach: no posture that holds it was found"
     paper = cr.self_motion(cr.load("lenarcic_3r"), [0.4, 0.0], method="eigenvector")
+    assert words.finding(paper).endswith("no other was looked for")
     assert words.completeness(paper).startswith("Not proved to be all (eigenvector: ")
 
 

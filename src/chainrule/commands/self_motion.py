@@ -62,7 +62,7 @@ def self_motion(
     points: Annotated[int, typer.Option(help="Points of each curve, in --csv and --json.")] = 91,
     figure: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw it into a .svg, .png or .pdf file.")] = None,
     animation: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="The arm moving along the first curve, as a .gif file.")
+        Path | None, typer.Option(metavar="FILE", help="The arm moving along a curve, as a .gif file.")
     ] = None,
     csv: Annotated[
         Path | None, typer.Option("--csv", metavar="FILE", help="Points of all curves: curve, s, joints, H.")
@@ -100,7 +100,7 @@ def self_motion(
         _print(loaded, found, chosen, best)
         for path in files:
             say(path)
-    if not (found.arcs if best else found.components):
+    if found.status == "unreachable" or (best is not None and chosen is None):
         raise typer.Exit(1)
 
 
@@ -186,7 +186,7 @@ def _draw(
         from chainrule.plot.self_motion import animation as moving
 
         if not found.components:
-            raise InputError(f"{animation}: there is no curve to show; the target is out of reach")
+            raise InputError(f"{animation}: there is no curve to show at this target")
         write_whole(animation, moving(arm, found))
     if csv is not None:
         write_whole(csv, _points(arm, found, points).encode("ascii"))

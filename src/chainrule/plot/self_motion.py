@@ -66,7 +66,7 @@ def draw_self_motion(arm: Arm, found: SelfMotion, which: int | None = None) -> F
                 _over_length(joints, arm, found, chosen)
             _bar(drawing, arm, found, [fan, joints], scale)
         else:
-            _out_of_reach(drawing.add_subplot(), arm, found)
+            _no_curve(drawing.add_subplot(), arm, found)
         words = [finding(found), limits_finding(found)]
         drawing.suptitle(
             "\n".join(word for word in words if word), x=0.01, ha="left", fontsize=10.5, color=COLOURS["ink"]
@@ -163,8 +163,8 @@ def _even(axes: Axes, arm: Arm) -> None:
         axes.set_axis_off()
 
 
-def _out_of_reach(axes: Axes, arm: Arm, found: SelfMotion) -> None:
-    """The arm straight out, and the target where it is a point."""
+def _no_curve(axes: Axes, arm: Arm, found: SelfMotion) -> None:
+    """The arm in its zero posture, and the target where it is a point."""
     view = _view(arm)
     axes.plot(*(_bones(arm, np.zeros(arm.n)) @ view.T).T, "o-", color=COLOURS["link"], lw=3, ms=4, label="arm at q = 0")
     axes.plot(0.0, 0.0, "s", ms=7, color=COLOURS["ink"])
@@ -342,7 +342,7 @@ def draw_lengths(arm: Arm, task: str = "position", other: float = 0.0, points: i
 def _where(named: list[tuple[str, int]]) -> str:
     """How many curves there are where, in words."""
     words = {0: ("None", ""), 1: ("One", "curve "), 2: ("Two", "curves ")}
-    texts = []
+    texts: list[str] = []
     for number in (2, 1, 0):
         names = [name for name, count in named if count == number]
         if names:
@@ -384,8 +384,9 @@ def draw_curves(arm: Arm, values: Sequence[float], task: str = "position", other
     """
     with styled():
         drawing = Figure(figsize=(WIDTH * 2.1, WIDTH * 0.8), layout="constrained")
-        torus, plain = drawing.add_subplot(1, 3, 1), drawing.add_subplot(1, 3, 2)
-        space: Any = drawing.add_subplot(1, 3, 3, projection="3d")
+        grid = drawing.add_gridspec(1, 3, width_ratios=[1.0, 1.0, 1.25])
+        torus, plain = drawing.add_subplot(grid[0]), drawing.add_subplot(grid[1])
+        space: Any = drawing.add_subplot(grid[2], projection="3d")
         shades = [COLOURS[name] for name in ("link", "joint", "accent", "axis_y", "axis_z", "muted")]
         counts = []
         for k, x in enumerate(values):
@@ -410,7 +411,7 @@ def draw_curves(arm: Arm, values: Sequence[float], task: str = "position", other
             getattr(space, f"set_{name}label")(f"{label} [deg]")
             getattr(space, f"{name}axis").set_pane_color((1.0, 1.0, 1.0, 0.0))
         space.tick_params(labelsize=7)
-        space.set_box_aspect(None, zoom=0.82)
+        space.set_box_aspect(None, zoom=0.9)
         handles = [Line2D([], [], color=shades[k % 6], ls=DASHES[k % 4]) for k in range(len(values))]
         texts = [f"px = {x:g} m: {n} curve{'' if n == 1 else 's'}" for x, n in zip(values, counts, strict=True)]
         drawing.legend(handles, texts, loc="outside lower left", ncols=4, frameon=False, fontsize=8.5)
@@ -427,13 +428,13 @@ def _counted(values: Sequence[float], counts: list[int]) -> str:
     return "; ".join(texts)
 
 
-def animation(arm: Arm, found: SelfMotion, which: int = 0, frames: int = FRAMES) -> bytes:
-    """The arm moving once along a curve, as an animated GIF.
+def animation(arm: Arm, found: SelfMotion, which: int | None = None, frames: int = FRAMES) -> bytes:
+    """The arm moving once along a curve, as an animated GIF; along an arc there and back.
 
     Args:
         arm: the arm.
         found: its self-motion, with at least one curve.
-        which: the curve.
+        which: the curve; when absent the longest curve or arc that limits leave, else the first curve.
         frames: pictures in one round.
     """
     import io
@@ -441,7 +442,8 @@ def animation(arm: Arm, found: SelfMotion, which: int = 0, frames: int = FRAMES)
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from PIL import Image
 
-    component = found.components[which]
+    longest = max(found.feasible or found.components[:1], key=lambda part: part.length)
+    component = longest if which is None else found.components[which]
     turn = np.arange(frames) / frames
     s = turn if component.closed else 0.5 - 0.5 * np.cos(2.0 * math.pi * turn)
     q = component.at(s) if len(component.q) > 1 else component.q[:1]

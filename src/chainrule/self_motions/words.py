@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from chainrule.arm import Arm
 from chainrule.self_motions.along import SelfMotionAlong
-from chainrule.self_motions.result import Component, SelfMotion
+from chainrule.self_motions.result import ENDS, Component, SelfMotion
 from chainrule.tables import Cell, Column, Table, readable
 
 Array = NDArray[Any]
@@ -40,7 +40,8 @@ def finding(found: SelfMotion) -> str:
     if found.count == 1:
         if not closed:
             return f"1 curve, followed for {sizes}: it does not close"
-        rest = "every posture can be reached from every other" if proved else "no other was found"
+        alone = "no other was looked for" if found.method == "eigenvector" else "no other was found"
+        rest = "every posture can be reached from every other" if proved else alone
         return f"1 closed curve of length {sizes}: {rest}"
     if closed < found.count:
         return f"{found.count} curves of {sizes}, {closed} of them closed: the arm cannot pass from one to another"
@@ -170,7 +171,8 @@ def _ends(part: Component) -> str:
     """Where an arc ends, in words."""
     if part.closed:
         return "whole"
-    words = [end.replace("limit of joint ", "q") for end in part.ends]
+    short = {sentence: word for word, sentence in ENDS.items()}
+    words = [short.get(end, end).replace("limit of joint ", "q") for end in part.ends]
     return ", ".join(dict.fromkeys(words))
 
 
