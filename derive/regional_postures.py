@@ -95,10 +95,8 @@ def trigonometric(steps: Steps, arm: Arm, rho_squared: Expression, z: Expression
     return Trigonometric(alpha, b, g, delta, eps, steps.let("doubt", ROUNDING * largest * inverse))
 
 
-def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression, Expression]:
-    """The number of real roots; a margin, above 1 where rounding cannot have changed it; and what tells four from none.
-
-    The last is above 1 where a positive discriminant surely means four, below -1 where it surely means none.
+def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression]:
+    """The number of real roots, and a margin: above 1 rounding cannot have changed it.
 
     The coefficients are at most 1 in sum, and known to ``doubt`` each: I to 6 times that, J to 60 times, the two
     symmetric functions to 20 and 60 times, with room for the rounding of their own terms.
@@ -122,20 +120,20 @@ def counted(steps: Steps, e: Trigonometric) -> tuple[Expression, Expression, Exp
     even = steps.let("even", (1 + CopySign(_1, discriminant)) / 2)
     number = steps.let("number", 2 + even * CopySign(sp.Integer(2), four))
     beyond = steps.let("beyond", sp.Max(four, -four) + (1 - even) * clear)
-    return number, steps.let("margin", sp.Min(clear, beyond)), four
+    return number, steps.let("margin", sp.Min(clear, beyond))
 
 
 def number_of_postures(arm: Arm) -> Program:
     """The number of postures at a target (rho^2, z), and the margin of that answer."""
     steps = Steps()
     rho_squared, z = TARGET.symbols
-    number, margin, four = counted(steps, trigonometric(steps, arm, rho_squared, z))
+    number, margin = counted(steps, trigonometric(steps, arm, rho_squared, z))
     return Program(
         "number_of_postures",
         "how many postures reach a target; in double precision certainly so where the margin exceeds 1",
         (arm.inputs, TARGET),
         tuple(steps.steps),
-        (Output("number", (), (number,)), Output("margin", (), (margin,)), Output("four", (), (four,))),
+        (Output("number", (), (number,)), Output("margin", (), (margin,))),
     )
 
 
@@ -227,7 +225,7 @@ def postures(arm: Arm) -> Program:
     x, y, z = POINT.symbols
     rho_squared = steps.let("rho_squared", x**2 + y**2)
     e = trigonometric(steps, arm, rho_squared, z)
-    number, margin, four = counted(steps, e)
+    number, margin = counted(steps, e)
     found, rooms = roots(steps, e)
     u, v = _at_target(steps, arm, rho_squared, z)
     half = steps.let("half_inverse", GuardedInverse(2 * arm.d2))
@@ -253,7 +251,6 @@ def postures(arm: Arm) -> Program:
             Output("slope", (4,), tuple(e.slope(c, s) for c, s in found)),
             Output("number", (), (number,)),
             Output("margin", (), (margin,)),
-            Output("four", (), (four,)),
         ),
     )
 

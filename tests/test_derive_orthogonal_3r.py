@@ -91,7 +91,7 @@ def test_node_surfaces(mean, sense):
 
 
 def test_singular_lines():
-    """f1 = 0 has real solutions exactly for d4 >= d3: E2. It is the factor of det J that is the same for every theta2."""
+    """f1 = 0, a factor of det J, has real solutions exactly for d4 >= d3: E2."""
     a, b, c = regional_3r.determinant_parts(normal_form())
     f1 = normal_form().point[0]
     for part in (a, b, c):

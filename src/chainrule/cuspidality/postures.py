@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chainrule.cuspidality.counting import discriminant_signs
 from chainrule.cuspidality.exact import real_roots
 from chainrule.cuspidality.normal_form import Regional, evaluator, exact_function
 from chainrule.errors import InputError
@@ -121,16 +122,17 @@ def number_of_postures(regional: Regional, rho: Any, z: Any) -> Array:
     values, factor = _scaled(regional)
     if values[4] == 0.0 or values[1] == 0.0:
         return section(regional, np.stack([distances, np.zeros_like(distances), heights], axis=-1)).count
-    reachable = np.hypot(distances, heights) <= 2.0 * regional.size
+    with np.errstate(over="ignore"):
+        reachable = np.hypot(distances, heights) <= 2.0 * regional.size
     targets = np.stack([distances, heights], axis=-1)[reachable] * factor
     targets[:, 0] **= 2
-    number, margin, four = evaluator("number_of_postures")(values, targets)
+    number, margin = evaluator("number_of_postures")(values, targets)
     found = number.astype(int)
     doubtful = np.flatnonzero(~(margin > 1.0))
     points = np.stack([distances, np.zeros_like(distances), heights], axis=-1)[reachable][doubtful] * factor
     quartics = _quartics(_exact_values(regional, factor), points)
     for k, point, coefficients in zip(doubtful, points, quartics, strict=True):
-        known = _number(coefficients, four[k])
+        known = _number(coefficients)
         if known is None:
             every, loose = _elbows(coefficients, values, point)
             known = -1 if loose else len(every)
@@ -150,7 +152,8 @@ def section(regional: Regional, points: Array) -> Section:
     flat = points.reshape(-1, 3)
     theta = np.full((len(flat), 4, 3), np.nan)
     free = np.zeros((len(flat), 3), bool)
-    near = np.flatnonzero(np.sqrt((flat**2).sum(axis=-1)) <= 2.0 * regional.size)
+    with np.errstate(over="ignore"):
+        near = np.flatnonzero(np.hypot(np.hypot(flat[:, 0], flat[:, 1]), flat[:, 2]) <= 2.0 * regional.size)
     scaled = flat[near] * factor
     if values[4] == 0.0 or values[1] == 0.0:
         found, loose, decided = _in_closed_form(values, scaled)
@@ -212,7 +215,7 @@ def _sorted(angles: Array) -> Array:
 
 def _from_quartic(values: Array, exact: Array, points: Array) -> tuple[Array, Array, int]:
     """Postures (k, 4, 3), whether theta2 and theta3 are free (k, 2), and how many points were decided exactly."""
-    angles, room, closure, slope, number, margin, four = evaluator("postures")(values, points)
+    angles, room, closure, slope, number, margin = evaluator("postures")(values, points)
     pivots = list(_on_second_axis(values))
     touching = np.zeros(len(points), bool)
     for _, target in pivots:
@@ -220,7 +223,7 @@ def _from_quartic(values: Array, exact: Array, points: Array) -> tuple[Array, Ar
     doubtful = np.flatnonzero(~(margin > 1.0) | touching)
     quartics, rest = _quartics(exact, points[doubtful]), np.zeros(len(points), bool)
     for k, coefficients in zip(doubtful, quartics, strict=True):
-        known = _number(coefficients, four[k])
+        known = _number(coefficients)
         rest[k] = known is None or touching[k]
         number[k] = -1.0 if known is None else known
     valid = _valid(number, room)
@@ -268,17 +271,17 @@ def _quartics(exact: Array, points: Array) -> Array:
     return found
 
 
-def _number(coefficients: Array, four: float) -> int | None:
-    """The number of real roots, or None where two of them are equal or it takes more than the discriminant's sign."""
+def _number(coefficients: Array) -> int | None:
+    """The number of real roots, or None where some are equal or tan(theta3 / 2) is infinite at one."""
     from flint import fmpq_poly
 
-    polynomial = fmpq_poly(list(coefficients)).numer()
-    if polynomial.degree() < 3:
+    whole = fmpq_poly(list(coefficients)).numer()
+    if whole.degree() < 4:
         return None
-    discriminant = polynomial.discriminant()
-    if discriminant < 0:
-        return 2
-    return (4 if four > 0.0 else 0) if discriminant > 0 and abs(four) > 1.0 else None
+    discriminant, p, q = discriminant_signs(list(whole))
+    if discriminant == 0:
+        return None
+    return 2 if discriminant < 0 else 4 if p < 0 and q < 0 else 0
 
 
 def _exactly(values: Array, exact: Array, point: Array) -> tuple[list[Array], bool]:
