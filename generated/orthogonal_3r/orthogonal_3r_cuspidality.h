@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 1fdf43fa79e299d78a761208db27852cb4a43d225b9491aefdb54cb093726372.
+ * Made from templates/kernel.h.j2; inputs 141b609897a362ebb8fc76f365d7535f3681eb487e8c960285e787306d35f92d.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
@@ -118,11 +118,10 @@ void orthogonal_3r_unturned_batchf(ptrdiff_t count, char *const *args, const ptr
  *   in   target[2] = (rho_squared, z)
  *   out  number (one number)
  *   out  margin (one number)
- *   out  four (one number)
  *   198 operations */
-void orthogonal_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin, double *four);
+void orthogonal_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin);
 void orthogonal_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void orthogonal_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin, float *four);
+void orthogonal_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin);
 void orthogonal_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E.
@@ -134,11 +133,10 @@ void orthogonal_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args,
  *   out  slope[4]
  *   out  number (one number)
  *   out  margin (one number)
- *   out  four (one number)
  *   1540 operations */
-void orthogonal_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin, double *four);
+void orthogonal_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin);
 void orthogonal_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void orthogonal_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin, float *four);
+void orthogonal_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin);
 void orthogonal_3r_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* the domain 1 to 5 and the topology 1 to 9 of a design, each 0 where rounding would decide it.

@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1fdf43fa79e299d78a761208db27852cb4a43d225b9491aefdb54cb093726372.
+Made from templates/kernel.py.j2; inputs 141b609897a362ebb8fc76f365d7535f3681eb487e8c960285e787306d35f92d.
 2258 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -387,7 +387,6 @@ def number_of_postures(parameters, target):
     in   target[2] = (rho_squared, z)
     out  number (one number)
     out  margin (one number)
-    out  four (one number)
     """
     parameters = np.asarray(parameters)
     target = np.asarray(target)
@@ -463,11 +462,9 @@ def number_of_postures(parameters, target):
     # results
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    four = np.empty((*_leading, 1), _real)
     number[..., 0] = 2 + t38 * np.copysign(2, t53)
     margin[..., 0] = np.minimum(t56, t56 * (1 - t38) + np.maximum(t53, -t53))
-    four[..., 0] = t53
-    return number.reshape(_leading), margin.reshape(_leading), four.reshape(_leading)
+    return number.reshape(_leading), margin.reshape(_leading)
 
 
 def postures(parameters, point):
@@ -481,7 +478,6 @@ def postures(parameters, point):
     out  slope[4]
     out  number (one number)
     out  margin (one number)
-    out  four (one number)
     """
     parameters = np.asarray(parameters)
     point = np.asarray(point)
@@ -938,7 +934,6 @@ def postures(parameters, point):
     slope = np.empty((*_leading, 4), _real)
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    four = np.empty((*_leading, 1), _real)
     angles[..., 0] = t230
     angles[..., 1] = np.arctan2(np.where(t226 != 0.0, -t231, 0.0), np.where(t226 != 0.0, np.where(t1 != 0.0, t227, 0.0), 0.0))
     angles[..., 2] = np.arctan2(t232, t233)
@@ -963,8 +958,7 @@ def postures(parameters, point):
     slope[..., 3] = t402
     number[..., 0] = 2 + t414 * np.copysign(2, t429)
     margin[..., 0] = np.minimum(t432, t432 * (1 - t414) + np.maximum(t429, -t429))
-    four[..., 0] = t429
-    return angles.reshape(_leading + (4, 3)), room.reshape(_leading + (2,)), closure.reshape(_leading + (4,)), slope.reshape(_leading + (4,)), number.reshape(_leading), margin.reshape(_leading), four.reshape(_leading)
+    return angles.reshape(_leading + (4, 3)), room.reshape(_leading + (2,)), closure.reshape(_leading + (4,)), slope.reshape(_leading + (4,)), number.reshape(_leading), margin.reshape(_leading)
 
 
 def classify(parameters):

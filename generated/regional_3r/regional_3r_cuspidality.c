@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs da6e6d44c3cf2162b69bbe8b9569a7df5770ee1c5a8f7f7566a23e7bc677cff0.
+ * Made from templates/kernel.c.j2; inputs 235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff.
  * 3766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "da6e6d44c3cf2162b69bbe8b9569a7df5770ee1c5a8f7f7566a23e7bc677cff0";
+const char regional_3r_cuspidality_digest[] = "235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff";
 #endif
 
 #define LANES 32
@@ -350,9 +350,9 @@ void CHAINRULE_NAME(regional_3r_unturned_batch)(ptrdiff_t count, char *const *ar
     chainrule_settle(streaming);
 }
 
-void CHAINRULE_NAME(regional_3r_number_of_postures)(const real *parameters, const real *target, real *number, real *margin, real *four)
+void CHAINRULE_NAME(regional_3r_number_of_postures)(const real *parameters, const real *target, real *number, real *margin)
 {
-    regional_3r_number_of_postures_one(parameters, target, number, margin, four);
+    regional_3r_number_of_postures_one(parameters, target, number, margin);
 }
 
 void CHAINRULE_NAME(regional_3r_number_of_postures_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
@@ -361,34 +361,31 @@ void CHAINRULE_NAME(regional_3r_number_of_postures_batch)(ptrdiff_t count, char 
     real target[2 * 32];
     real number[1 * 32];
     real margin[1 * 32];
-    real four[1 * 32];
-    const int streaming = chainrule_streams(count, 3);
+    const int streaming = chainrule_streams(count, 2);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
-            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[5], steps[5]);
-            chainrule_gather(target, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[6], steps[6]);
-            regional_3r_number_of_postures_one(parameters, target, number, margin, four);
+            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[4], steps[4]);
+            chainrule_gather(target, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            regional_3r_number_of_postures_one(parameters, target, number, margin);
             chainrule_scatter(number, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
             chainrule_scatter(margin, 1, 1, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-            chainrule_scatter(four, 1, 1, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[5], steps[5]);
+            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[6], steps[6]);
-            regional_3r_number_of_postures_tile(parameters, target, number, margin, four);
+                chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            regional_3r_number_of_postures_tile(parameters, target, number, margin);
             chainrule_scatter(number, 32, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(margin, 32, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(four, 32, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
     chainrule_settle(streaming);
 }
 
-void CHAINRULE_NAME(regional_3r_postures)(const real *parameters, const real *point, real *angles, real *room, real *closure, real *slope, real *number, real *margin, real *four)
+void CHAINRULE_NAME(regional_3r_postures)(const real *parameters, const real *point, real *angles, real *room, real *closure, real *slope, real *number, real *margin)
 {
-    regional_3r_postures_one(parameters, point, angles, room, closure, slope, number, margin, four);
+    regional_3r_postures_one(parameters, point, angles, room, closure, slope, number, margin);
 }
 
 void CHAINRULE_NAME(regional_3r_postures_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
@@ -401,34 +398,31 @@ void CHAINRULE_NAME(regional_3r_postures_batch)(ptrdiff_t count, char *const *ar
     real slope[4 * 32];
     real number[1 * 32];
     real margin[1 * 32];
-    real four[1 * 32];
-    const int streaming = chainrule_streams(count, 25);
+    const int streaming = chainrule_streams(count, 24);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 32);
         if (taken == 1) {
-            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[9], steps[9]);
-            chainrule_gather(point, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[10], steps[10]);
-            regional_3r_postures_one(parameters, point, angles, room, closure, slope, number, margin, four);
-            chainrule_scatter(angles, 1, 1, args[2] + start * steps[2], steps[2], 4, 3, steps[11], steps[12], 0);
-            chainrule_scatter(room, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[13], steps[13], 0);
-            chainrule_scatter(closure, 1, 1, args[4] + start * steps[4], steps[4], 1, 4, 4 * steps[14], steps[14], 0);
-            chainrule_scatter(slope, 1, 1, args[5] + start * steps[5], steps[5], 1, 4, 4 * steps[15], steps[15], 0);
+            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[8], steps[8]);
+            chainrule_gather(point, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[9], steps[9]);
+            regional_3r_postures_one(parameters, point, angles, room, closure, slope, number, margin);
+            chainrule_scatter(angles, 1, 1, args[2] + start * steps[2], steps[2], 4, 3, steps[10], steps[11], 0);
+            chainrule_scatter(room, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[12], steps[12], 0);
+            chainrule_scatter(closure, 1, 1, args[4] + start * steps[4], steps[4], 1, 4, 4 * steps[13], steps[13], 0);
+            chainrule_scatter(slope, 1, 1, args[5] + start * steps[5], steps[5], 1, 4, 4 * steps[14], steps[14], 0);
             chainrule_scatter(number, 1, 1, args[6] + start * steps[6], steps[6], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
             chainrule_scatter(margin, 1, 1, args[7] + start * steps[7], steps[7], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-            chainrule_scatter(four, 1, 1, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[9], steps[9]);
+            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[8], steps[8]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[10], steps[10]);
-            regional_3r_postures_tile(parameters, point, angles, room, closure, slope, number, margin, four);
-            chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[11], steps[12], streaming);
-            chainrule_scatter(room, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[13], steps[13], streaming);
-            chainrule_scatter(closure, 32, taken, args[4] + start * steps[4], steps[4], 1, 4, 4 * steps[14], steps[14], streaming);
-            chainrule_scatter(slope, 32, taken, args[5] + start * steps[5], steps[5], 1, 4, 4 * steps[15], steps[15], streaming);
+                chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[9], steps[9]);
+            regional_3r_postures_tile(parameters, point, angles, room, closure, slope, number, margin);
+            chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[10], steps[11], streaming);
+            chainrule_scatter(room, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[12], steps[12], streaming);
+            chainrule_scatter(closure, 32, taken, args[4] + start * steps[4], steps[4], 1, 4, 4 * steps[13], steps[13], streaming);
+            chainrule_scatter(slope, 32, taken, args[5] + start * steps[5], steps[5], 1, 4, 4 * steps[14], steps[14], streaming);
             chainrule_scatter(number, 32, taken, args[6] + start * steps[6], steps[6], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(margin, 32, taken, args[7] + start * steps[7], steps[7], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(four, 32, taken, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
     chainrule_settle(streaming);

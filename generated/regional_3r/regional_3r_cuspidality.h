@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs da6e6d44c3cf2162b69bbe8b9569a7df5770ee1c5a8f7f7566a23e7bc677cff0.
+ * Made from templates/kernel.h.j2; inputs 235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff.
  * 3766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
@@ -136,11 +136,10 @@ void regional_3r_unturned_batchf(ptrdiff_t count, char *const *args, const ptrdi
  *   in   target[2] = (rho_squared, z)
  *   out  number (one number)
  *   out  margin (one number)
- *   out  four (one number)
  *   286 operations */
-void regional_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin, double *four);
+void regional_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin);
 void regional_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void regional_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin, float *four);
+void regional_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin);
 void regional_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E.
@@ -152,11 +151,10 @@ void regional_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, c
  *   out  slope[4]
  *   out  number (one number)
  *   out  margin (one number)
- *   out  four (one number)
  *   1729 operations */
-void regional_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin, double *four);
+void regional_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin);
 void regional_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void regional_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin, float *four);
+void regional_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin);
 void regional_3r_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* the postures of an arm with axes 1 and 2 intersecting, the distance each leaves, and W.

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs da6e6d44c3cf2162b69bbe8b9569a7df5770ee1c5a8f7f7566a23e7bc677cff0.
+Made from templates/kernel.py.j2; inputs 235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff.
 3766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -711,7 +711,6 @@ def number_of_postures(parameters, target):
     in   target[2] = (rho_squared, z)
     out  number (one number)
     out  margin (one number)
-    out  four (one number)
     """
     parameters = np.asarray(parameters)
     target = np.asarray(target)
@@ -809,11 +808,9 @@ def number_of_postures(parameters, target):
     # results
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    four = np.empty((*_leading, 1), _real)
     number[..., 0] = 2 + t43 * np.copysign(2, t70)
     margin[..., 0] = np.minimum(t73, t73 * (1 - t43) + np.maximum(t70, -t70))
-    four[..., 0] = t70
-    return number.reshape(_leading), margin.reshape(_leading), four.reshape(_leading)
+    return number.reshape(_leading), margin.reshape(_leading)
 
 
 def postures(parameters, point):
@@ -827,7 +824,6 @@ def postures(parameters, point):
     out  slope[4]
     out  number (one number)
     out  margin (one number)
-    out  four (one number)
     """
     parameters = np.asarray(parameters)
     point = np.asarray(point)
@@ -1330,7 +1326,6 @@ def postures(parameters, point):
     slope = np.empty((*_leading, 4), _real)
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    four = np.empty((*_leading, 1), _real)
     angles[..., 0] = t245
     angles[..., 1] = np.arctan2(np.where(t237 != 0.0, t239, 0.0), np.where(t237 != 0.0, t238, 0.0))
     angles[..., 2] = np.arctan2(t246, t247)
@@ -1355,8 +1350,7 @@ def postures(parameters, point):
     slope[..., 3] = t431
     number[..., 0] = 2 + t443 * np.copysign(2, t470)
     margin[..., 0] = np.minimum(t473, t473 * (1 - t443) + np.maximum(t470, -t470))
-    four[..., 0] = t470
-    return angles.reshape(_leading + (4, 3)), room.reshape(_leading + (2,)), closure.reshape(_leading + (4,)), slope.reshape(_leading + (4,)), number.reshape(_leading), margin.reshape(_leading), four.reshape(_leading)
+    return angles.reshape(_leading + (4, 3)), room.reshape(_leading + (2,)), closure.reshape(_leading + (4,)), slope.reshape(_leading + (4,)), number.reshape(_leading), margin.reshape(_leading)
 
 
 def postures_intersecting(parameters, point):
