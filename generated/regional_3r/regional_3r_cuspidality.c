@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff.
+ * Made from templates/kernel.c.j2; inputs 895b2da7afabdc9f2f6c7e0f760c78e53dfb1f71813b81c7e3f5f970edf29cba.
  * 3766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff";
+const char regional_3r_cuspidality_digest[] = "895b2da7afabdc9f2f6c7e0f760c78e53dfb1f71813b81c7e3f5f970edf29cba";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs 235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff.
+ * Made from templates/kernel.h.j2; inputs 895b2da7afabdc9f2f6c7e0f760c78e53dfb1f71813b81c7e3f5f970edf29cba.
  * 3766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 235a5fb08a940c5b20fb8948e99e6db9675e3ed49bd6df6a5f304f787726cbff.
+Made from templates/kernel.py.j2; inputs 895b2da7afabdc9f2f6c7e0f760c78e53dfb1f71813b81c7e3f5f970edf29cba.
 3766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

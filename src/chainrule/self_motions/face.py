@@ -58,7 +58,7 @@ def self_motion(
             the target of a posture q see ``arm.position(q)`` and ``arm.pose(q)``.
         task: "position", "x_alpha" or "pose"; the arm's default task when absent.
         method: "closed form" or "sweep" (where there is one), "continuation" (many starts), or "eigenvector", the
-            algorithm of Lenarcic (1998) as printed, which follows one curve; the best one when absent.
+            algorithm of Lenarcic (2002) as printed, which follows one curve; the best one when absent.
         limits: whether to find what is within the arm's joint limits (:attr:`SelfMotion.feasible`), if it has any.
         points: how many points of each curve to give, evenly spaced; as they were found when absent.
         starts: how many starts the search has.
