@@ -206,7 +206,7 @@ def squared_sides() -> dict[str, Expression]:
 
     C1 is ``C1_whole`` + ``C1_factor`` sqrt(``C1_radicand``), with A B = sqrt(A^2 B^2). C2 and C3, C4 are squared:
     d4^2 (d3 +- d2)^2 - d3^2 A^2 (or B^2). E1 and E3 are the roots of x^2 - X x + d2^2 d3^2 in x = d4^2, where
-    X = (A^2 + B^2) / 2: ``E`` is negative between them, and ``middle`` = d4^2 - d2 d3 tells which of them is near, since
+    X = (A^2 + B^2) / 2: ``E`` is negative between them, and ``middle`` = d4^2 - d2 d3 tells which of them is near, as
     E1 E3 = d2 d3.
     """
     a_square, b_square = squares()

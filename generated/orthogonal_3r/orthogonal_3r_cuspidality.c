@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 154ba2dadd5fd17852bf6d389e4cc061fdd2f6c25979b008488ca8607175cb40.
+ * Made from templates/kernel.c.j2; inputs 4ae5440eab6cb954a4c4940b6dbca9325f86b256f26140b3f985bae8f0cab8ec.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "154ba2dadd5fd17852bf6d389e4cc061fdd2f6c25979b008488ca8607175cb40";
+const char orthogonal_3r_cuspidality_digest[] = "4ae5440eab6cb954a4c4940b6dbca9325f86b256f26140b3f985bae8f0cab8ec";
 #endif
 
 #define LANES 32

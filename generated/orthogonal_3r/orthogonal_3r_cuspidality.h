@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 154ba2dadd5fd17852bf6d389e4cc061fdd2f6c25979b008488ca8607175cb40.
+ * Made from templates/kernel.h.j2; inputs 4ae5440eab6cb954a4c4940b6dbca9325f86b256f26140b3f985bae8f0cab8ec.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

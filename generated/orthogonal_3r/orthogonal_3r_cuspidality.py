@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 154ba2dadd5fd17852bf6d389e4cc061fdd2f6c25979b008488ca8607175cb40.
+Made from templates/kernel.py.j2; inputs 4ae5440eab6cb954a4c4940b6dbca9325f86b256f26140b3f985bae8f0cab8ec.
 2258 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 895b2da7afabdc9f2f6c7e0f760c78e53dfb1f71813b81c7e3f5f970edf29cba.
+ * Made from templates/kernel.c.j2; inputs 8a40be601f5147aeec75bce5ea2ba18a7dab46f8c17f4a4be87aee77afc20ca8.
  * 3766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "895b2da7afabdc9f2f6c7e0f760c78e53dfb1f71813b81c7e3f5f970edf29cba";
+const char regional_3r_cuspidality_digest[] = "8a40be601f5147aeec75bce5ea2ba18a7dab46f8c17f4a4be87aee77afc20ca8";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 895b2da7afabdc9f2f6c7e0f760c78e53dfb1f71813b81c7e3f5f970edf29cba.
+Made from templates/kernel.py.j2; inputs 8a40be601f5147aeec75bce5ea2ba18a7dab46f8c17f4a4be87aee77afc20ca8.
 3766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
