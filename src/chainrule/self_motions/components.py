@@ -54,7 +54,8 @@ def all_components(arm: Arm, target: Array, task: str, *, starts: int = 64, seed
                 return _swivelled(held, swivel)
         sweep = Sweep.of(held, target)
         if sweep is not None and sweep.special != "unfit":
-            doubts = _swept(known, sweep)
+            doubts, singular = _swept(known, sweep)
+            detail = detail or singular
             if not doubts and not detail:
                 return Found(tuple(known.components), "sweep", "proved")
             doubts = f"; joint {sweep.swept + 1} was swept before, without a proof: {doubts or detail}"
@@ -82,8 +83,12 @@ def _swivelled(held: Held, swivel: Swivel) -> Found:
 # ---- a joint swept -----------------------------------------------------------------------------------------------
 
 
-def _swept(known: Known, sweep: Sweep) -> str:
-    """The curves through all postures at the middles between events; why that is no proof, or nothing if it is one."""
+def _swept(known: Known, sweep: Sweep) -> tuple[str, str]:
+    """The curves through all postures at the middles between events.
+
+    Returns:
+        why that is no proof, or nothing if it is one; and what is singular, or nothing.
+    """
     events = sweep.events()
     gaps = np.diff(events, append=events[:1] + TURN)
     middles = events + 0.5 * gaps if len(events) else np.array([0.5])
@@ -109,7 +114,12 @@ def _swept(known: Known, sweep: Sweep) -> str:
             doubts.append("a posture between events lay on no curve")
     if _folds(known, sweep, events) > 0:
         doubts.append("a curve turns back where there is no event")
-    return "; ".join(doubts)
+    scale = max((curve.manipulability[1] for curve in known.components), default=0.0)
+    if not scale:
+        random = start_points(known.held.arm, 64)
+        scale = float(known.held.arm.manipulability(random, task=known.held.task).max())
+    lost = sweep.singular(events, scale)
+    return "; ".join(doubts), "" if not len(lost) else f"singular postures where joint {sweep.swept + 1} turns back"
 
 
 def _followed(known: Known, q: Array) -> None:

@@ -95,7 +95,7 @@ def _matrix(transform: Transform) -> Array:
 def orientations(second: Array, third: Array, wanted: Array) -> tuple[Array, Array]:
     """Angles (..., 2, 3) with Rz(a) second Rz(b) third Rz(c) = wanted (..., 3, 3), and whether they are real (..., 2).
 
-    z . wanted z holds b, in two ways; a and c follow from the columns and rows of z (subproblems of B. Paden 1986).
+    z . wanted z holds b, in two ways; a follows from the images of z, c from the rest (subproblems of B. Paden 1986).
     """
     u, w = second[2], third[:, 2]
     along, cosine, sine = u[2] * w[2], u[0] * w[0] + u[1] * w[1], u[1] * w[0] - u[0] * w[1]
@@ -103,7 +103,9 @@ def orientations(second: Array, third: Array, wanted: Array) -> tuple[Array, Arr
     half = np.arccos(np.clip(share, -1.0, 1.0))
     b = np.arctan2(sine, cosine) + np.stack([half, -half], axis=-1)
     middle = second @ turn(b) @ third
-    column, row = middle[..., :, 2], middle[..., 2, :]
+    column = middle[..., :, 2]
     a = np.arctan2(wanted[..., 1, 2], wanted[..., 0, 2])[..., np.newaxis] - np.arctan2(column[..., 1], column[..., 0])
-    c = np.arctan2(row[..., 1], row[..., 0]) - np.arctan2(wanted[..., 2, 1], wanted[..., 2, 0])[..., np.newaxis]
-    return np.stack([a, b, c], axis=-1), np.broadcast_to((np.abs(share) <= 1.0)[..., np.newaxis], b.shape)
+    # what is left is a turn about z, also where the outer axes are in line and a is any angle
+    left = np.swapaxes(turn(a) @ middle, -1, -2) @ wanted[..., np.newaxis, :, :]
+    c = np.arctan2(left[..., 1, 0], left[..., 0, 0])
+    return np.stack([a, b, c], axis=-1), np.broadcast_to((np.abs(share) <= 1.0 + 1e-12)[..., np.newaxis], b.shape)

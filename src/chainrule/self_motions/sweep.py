@@ -34,8 +34,10 @@ Array = NDArray[Any]
 SAMPLED = 64
 #: Zeros this near the unit circle count as real, of event polynomials (too many do no harm) and of postures.
 EVENT, REAL = 1e-4, 1e-5
+#: At events roots this near count as real, and a posture whose H is below this share of the largest one as singular.
+LOOSE, LOST = 1e-4, 1e-4
 #: Events nearer to one another than this, rad, leave the count unproved.
-DISTINCT = 1e-9
+DISTINCT = 1e-7
 #: A length below this share of the arm's size is none.
 NONE = 1e-11
 
@@ -128,8 +130,33 @@ class Sweep:
 
     def postures(self, x: Array) -> tuple[Array, Array]:
         """All configurations (m, 7) of the arm at values (k,) of the swept joint, and which value each belongs to."""
+        q, rows = self.candidates(x)
+        exact = self.held.corrected(q, self.target, 2)
+        error, _, _ = self.held.evaluate(exact, self.target)
+        good = np.abs(error).max(axis=1, initial=0.0) < 1e-11
+        good &= np.abs(exact - q).max(axis=1, initial=0.0) < 1e-3
+        return exact[good], rows[good]
+
+    def singular(self, events: Array, scale: float) -> Array:
+        """(m, 7): postures at events that are singular: H below :data:`LOST` times ``scale``.
+
+        At a regular pose the curves only turn back at events. Where a posture there is singular the set is more than
+        the curves: an isolated point, or motions of the other joints alone, which no section shows. A double event,
+        which rounding takes apart, is looked at in its middle too.
+        """
+        close = np.flatnonzero(np.diff(events, append=events[:1] + 2.0 * math.pi) < LOOSE)
+        middles = events[close] + 0.5 * np.mod(np.roll(events, -1)[close] - events[close], 2.0 * math.pi)
+        q, _ = self.candidates(np.concatenate([events, middles]), LOOSE)
+        if not len(q):
+            return q
+        error = np.abs(self.held.evaluate(q, self.target)[0]).max(axis=1)
+        h = self.held.arm.manipulability(q, task=self.held.task)
+        return np.asarray(q[(error < 1e-4) & (h < LOST * scale)])
+
+    def candidates(self, x: Array, near: float = REAL) -> tuple[Array, Array]:
+        """As :meth:`postures`, uncorrected; roots this ``near`` to being real are taken for real."""
         first, *other = self.polynomials(x)
-        rows, theta = real_angles(first)
+        rows, theta = real_angles(first, near)
         (y, aim), values = self.points(x), self.regional.values
         sa2, d2 = values[1], values[4]
         elbow = np.stack([np.cos(theta), np.sin(theta)], axis=-1)
@@ -137,7 +164,8 @@ class Sweep:
         if other:
             known = v / sa2 if self.special == "meeting" else u / (2.0 * d2)
             square = f1**2 + f2**2 - known**2
-            real = square >= 0.0
+            real = square >= (0.0 if near == REAL else -near * self.chain.size**2)
+            square = np.maximum(square, 0.0)
             rows, elbow, theta, known, f1, f2 = (
                 np.repeat(p[real], 2, axis=0) for p in (rows, elbow, theta, known, f1, f2)
             )
@@ -163,12 +191,7 @@ class Sweep:
         outer, real = orientations(self.chain.placements[5, :3, :3], self.chain.placements[6, :3, :3], wanted)
         q = np.concatenate([np.repeat(inner, 2, axis=0), outer.reshape(-1, 3)], axis=1)[real.ravel()]
         rows = np.repeat(rows, 2)[real.ravel()]
-        exact = self.held.corrected(self.chain.joints(q), self.target, 2)
-        error, _, _ = self.held.evaluate(exact, self.target)
-        good = (np.abs(error).max(axis=1, initial=0.0) < 1e-11) & (
-            np.abs(exact - self.chain.joints(q)).max(axis=1, initial=0.0) < 1e-3
-        )
-        return exact[good], rows[good]
+        return self.chain.joints(q), rows
 
 
 def _three(arm: Arm, placements: Array, tip: Array) -> Description:
@@ -225,7 +248,7 @@ def _zeros(samples: Array, degree: int) -> Array:
     return np.asarray(np.mod(np.angle(roots[near]), 2.0 * math.pi))
 
 
-def real_angles(p: Array) -> tuple[Array, Array]:
+def real_angles(p: Array, near: float = REAL) -> tuple[Array, Array]:
     """Rows (m,) and theta (m,) with p(tan(theta/2)) = 0, half a turn included, of polynomials (k, 3) or (k, 5).
 
     The polynomial in the half tangent is one in exp(i theta) without any value at infinity.
@@ -242,5 +265,5 @@ def real_angles(p: Array) -> tuple[Array, Array]:
     companion[:, np.arange(1, degree), np.arange(degree - 1)] = 1.0
     companion[:, :, -1] = -c[:, :-1] / lead[:, np.newaxis]
     roots = np.linalg.eigvals(companion)
-    rows, which = np.nonzero(np.abs(np.abs(roots) - 1.0) < REAL)
+    rows, which = np.nonzero(np.abs(np.abs(roots) - 1.0) < near)
     return rows, np.angle(roots[rows, which])
