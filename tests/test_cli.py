@@ -226,6 +226,16 @@ def test_reproduce(call):
     assert "verdict" in out
 
 
+@pytest.mark.parametrize(("paper", "count"), [("baili", 7), ("lenarcic", 4), ("deluca", 0)])
+def test_figures_of_a_paper(call, tmp_path, monkeypatch, paper, count):
+    monkeypatch.setattr(papers, "reproduce", lambda key, progress: ())  # the rows have tests of their own
+    code, out, err = call("reproduce", paper, "--figures", tmp_path / "figures")
+    assert (code, err) == (0, "")
+    drawn = sorted((tmp_path / "figures").glob("*.svg")) if count else []
+    assert len(drawn) == count
+    assert all(path.read_text("utf-8").rstrip().endswith("</svg>") and str(path) in out for path in drawn)
+
+
 def test_reproduce_says_no(call, monkeypatch):
     bad = papers.Row("here", "a length", "1", "2", 1.0, "DISAGREES", "by hand")
     monkeypatch.setattr(papers, "reproduce", lambda key, progress: (bad,))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Annotated, Any
 
 import typer
@@ -14,6 +15,7 @@ from chainrule.console import (
     print_table,
     progressing,
     say,
+    write_figure,
 )
 
 
@@ -21,6 +23,9 @@ from chainrule.console import (
 def reproduce(
     paper: Annotated[
         str | None, typer.Argument(metavar="[PAPER]", help="Which paper; all of them when left out.")
+    ] = None,
+    figures: Annotated[
+        Path | None, typer.Option("--figures", metavar="FOLDER", help="Draw the paper's figures anew, as .svg files.")
     ] = None,
     as_json: Json = False,
 ) -> None:
@@ -30,11 +35,17 @@ def reproduce(
 
     Example: chainrule reproduce deluca
     """
+    from chainrule import papers
     from chainrule.papers import PAPERS
-    from chainrule.papers import reproduce as recompute
 
+    drawn: list[Path] = []
     with progressing() as progress:
-        found = {key: recompute(key, progress) for key in ([paper] if paper is not None else PAPERS)}
+        found = {key: papers.reproduce(key, progress) for key in ([paper] if paper is not None else PAPERS)}
+        for key in found if figures is not None else ():
+            progress(f"drawing the figures of {key}")
+            for name, drawing in papers.figures(key).items():
+                drawn.append(figures / f"{key}-{name}.svg")  # type: ignore[operator]  # not None here
+                write_figure(drawing, drawn[-1])
     good = all(row.good for rows in found.values() for row in rows)
     if as_json:
         print_json(
@@ -53,6 +64,8 @@ def reproduce(
     else:
         for key, rows in found.items():
             _print_paper(key, rows)
+        for path in drawn:
+            say(str(path))
     if not good:
         raise typer.Exit(1)
 

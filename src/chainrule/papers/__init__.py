@@ -8,9 +8,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from importlib import import_module
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from chainrule.errors import InputError, shown
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Verdict = Literal["agrees", "proved", "refined", "special case", "corrected", "DISAGREES"]
 
@@ -156,3 +159,19 @@ def shown_equal(where: str, quantity: str, printed: str, equal: bool, how: str, 
         how,
         note,
     )
+
+
+def figures(key: str) -> dict[str, Figure]:
+    """The figures of a paper drawn anew, by name; none for papers whose figures other commands draw.
+
+    Raises:
+        InputError: an unknown paper; the message lists the known ones.
+
+    Example:
+        >>> list(figures("lenarcic"))
+        ['figure-2', 'figure-3', 'figure-4', 'figure-5']
+    """
+    if key not in PAPERS:
+        raise InputError(f"there is no paper {shown(key)}; {', '.join(PAPERS)} can be reproduced")
+    module = import_module(PAPERS[key].module)
+    return module.figures() if hasattr(module, "figures") else {}

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
@@ -20,6 +20,9 @@ from chainrule.cuspidality.domains import exact_domain
 from chainrule.derive import orthogonal_designs as derived
 from chainrule.derive.orthogonal_3r import determinant, orthogonal_chain
 from chainrule.papers import Row, Verdict, compared, shown_equal
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Expression = Any
 ARM, CASES, CONDITION, BEYOND = "section II", "section III", "section IV", "beyond the paper"
@@ -335,3 +338,14 @@ def _beyond() -> list[Row]:
             "refined",
         )
     ]
+
+
+def figures() -> dict[str, Figure]:
+    """Figures 2 to 7; figures 3 to 6 print no numbers, so that designs of the same cases stand for them."""
+    from chainrule.plot.cuspidality import draw_design
+    from chainrule.plot.design_space import draw_domains
+
+    hole = (1, "0.5", "0.45", "0.5")  # domain 2 with a hole, as in figure 4
+    drawn = {"2a": INSIDE[2], "2b": INSIDE[3], "3": INSIDE[1], "4": hole, "5": INSIDE[4], "6": INSIDE[5]}
+    found = {f"figure-{name}": draw_design(orthogonal_3r(*lengths, exact=True)) for name, lengths in drawn.items()}
+    return found | {"figure-7": draw_domains()}

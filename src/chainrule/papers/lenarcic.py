@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from chainrule.self_motions.face import self_motion
 from chainrule.self_motions.maps import self_motion_map
 from chainrule.self_motions.planar_3r import singular_radii, singular_values
 from chainrule.self_motions.result import SelfMotion
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[Any]
 
@@ -458,3 +461,16 @@ def self_motion_slide() -> SelfMotion:
     from chainrule.arm import planar
 
     return self_motion(planar("PRR", [0.2, 0.35, 0.25]), [0.4, 0.3])
+
+
+def figures() -> dict[str, Figure]:
+    """Figures 2 to 5: lengths over px, and curves in joint space, for both tasks."""
+    from chainrule.plot.self_motion import draw_curves, draw_lengths
+
+    arm = load("lenarcic_3r")
+    return {
+        "figure-2": draw_lengths(arm, "position"),
+        "figure-3": draw_curves(arm, list(INSIDE.values()), "position"),
+        "figure-4": draw_lengths(arm, "x_alpha"),
+        "figure-5": draw_curves(arm, [0.28, 0.45, 0.6, 0.8], "x_alpha"),
+    }
