@@ -195,9 +195,12 @@ class Arm:
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and more for planar arms."""
-        planar = isinstance(self._description.geometry, Planar)
-        more = (("motion", "speed_ratio") if self.n in (3, 4) else ("motion",)) if planar else ()
+        """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and more for the families."""
+        more: tuple[str, ...] = ()
+        if isinstance(self._description.geometry, Planar):
+            more = ("motion", "speed_ratio") if self.n in (3, 4) else ("motion",)
+        elif isinstance(self._description.geometry, Orthogonal3R):
+            more = ("cuspidality",)
         return ("kinematics", *self.full_rank_tasks, *more)
 
     @property
