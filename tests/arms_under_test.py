@@ -138,7 +138,7 @@ def given(ports: Sequence[tuple[str, Sequence[int]]], arm: Any, q: np.ndarray) -
                 values = np.eye(values.shape[-1])[np.nan_to_num(values).argmax(axis=-1)]
             if name == "parameters":  # nothing else to vary: other arms, what is 0 stays 0
                 values = arm.parameters * (1.0 + 0.3 * values)
-            if name == "target":  # rho^2 is not negative
+            if name == "target" and tuple(shape) == (2,):  # rho^2 is not negative
                 values = values * [arm.parameters[-5:].max(), 1.0]
                 values[..., 0] **= 2
             found.append((np.abs(values) + 0.1 if name in POSITIVE else values).astype(q.dtype))
