@@ -25,7 +25,7 @@ from chainrule.derive import catalogue, emit
 from chainrule.derive.lower import Kernel, lower
 from chainrule.derive.manifest import Places
 from chainrule.derive.program import Program, evaluate
-from chainrule.description import REST_TO_REST, Description, Model
+from chainrule.description import REGIONAL_3R, REST_TO_REST, Description, Model
 from chainrule.evaluators import Evaluator, Evaluators, load
 
 EPSILON = {np.dtype(np.float64): 2.0**-53, np.dtype(np.float32): 2.0**-24}  # half a unit in the last place of 1
@@ -55,20 +55,30 @@ MORPHOLOGIES: dict[str, cr.Arm] = {
 class NoArm:
     """What the standing functions that belong to no arm look like to the tests: configurations only make inputs."""
 
-    n, kinds, parameters = 3, "RRR", np.array([])
+    n, kinds = 3, "RRR"
 
-    def __init__(self, model: Model) -> None:
+    def __init__(self, model: Model, group: str, parameters: Sequence[float] = ()) -> None:
         self.description = SimpleNamespace(model=model)
-        self._evaluators = Evaluators(model)
+        self.parameters = np.array(parameters)
+        self._evaluators, self._group = Evaluators(model), group
 
     def evaluator(self, name: str) -> Evaluator:
-        found = self._evaluators.get("rest_to_rest", name)
+        found = self._evaluators.get(self._group, name)
         assert found is not None
         return found
 
 
 ARMS: dict[str, Any] = {name: cr.load(name) for name in embedded.names()} | FAMILY_CASES | MORPHOLOGIES
-ARMS["rest_to_rest"] = NoArm(REST_TO_REST)
+ARMS["rest_to_rest"] = NoArm(REST_TO_REST, "rest_to_rest")
+#: Normal forms of 3R arms: cosines and sines of the twists, lengths.
+ARMS |= {
+    f"regional 3R, {words}": NoArm(REGIONAL_3R, "cuspidality", values)
+    for words, values in (
+        ("any twists", (0.28, 0.96, -0.6, 0.8, 1.0, 2.0, 1.5, 1.0, 0.5)),
+        ("alpha2 right", (0.0, 1.0, 0.28, -0.96, 0.7, 0.9, 0.8, 0.3, -0.2)),
+        ("axes 2 and 3 parallel", (0.6, 0.8, 1.0, 0.0, 1.0, 2.0, 1.5, 0.4, 0.0)),
+    )
+}
 
 MANIFEST: dict[str, Any] = json.loads((Places.here().generated / "manifest.json").read_text("utf-8"))
 
@@ -118,7 +128,7 @@ def given(ports: Sequence[tuple[str, Sequence[int]]], arm: Any, q: np.ndarray) -
     for name, shape in ports:
         if name == "q":
             found.append(q)
-        elif name == "parameters":
+        elif name == "parameters" and len(ports) > 1:
             found.append(arm.parameters.astype(q.dtype))
         else:
             weights = np.random.default_rng(sum(map(ord, name))).uniform(1.0, 3.0, (q.shape[-1], math.prod(shape)))
@@ -126,6 +136,11 @@ def given(ports: Sequence[tuple[str, Sequence[int]]], arm: Any, q: np.ndarray) -
                 values = np.cos((q.astype(float)[..., None] * weights).sum(axis=-2))  # row by row alike, unlike @
             if name == "leading":  # a choice of one joint
                 values = np.eye(values.shape[-1])[np.nan_to_num(values).argmax(axis=-1)]
+            if name == "parameters":  # nothing else to vary: other arms, what is 0 stays 0
+                values = arm.parameters * (1.0 + 0.3 * values)
+            if name == "target" and tuple(shape) == (2,):  # rho^2 is not negative
+                values = values * [arm.parameters[-5:].max(), 1.0]
+                values[..., 0] **= 2
             found.append((np.abs(values) + 0.1 if name in POSITIVE else values).astype(q.dtype))
     return found
 
@@ -265,8 +280,7 @@ def rounding_bounds(
     ``sine_ulps`` units. The bound knows the cancellations that happened, so it is as small near a singularity as the
     operations allow, and nothing in it is fitted to what the code does.
     """
-    first = next(iter(inputs.values()))
-    count = len(first)
+    count = len(max(inputs.values(), key=np.ndim))  # parameters may be the same for all
     values: list[np.ndarray] = []
     errors: list[np.ndarray] = []  # in units of epsilon
 

@@ -195,11 +195,13 @@ class Arm:
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and more for planar arms."""
-        planar = isinstance(self._description.geometry, Planar)
-        more = (("motion", "speed_ratio") if self.n in (3, 4) else ("motion",)) if planar else ()
-        if planar and self.kinds == "RRR":
-            more = (*more, "self_motion")
+        """Groups of generated functions: ``kinematics``, the :attr:`full_rank_tasks`, and more for the families."""
+        more: tuple[str, ...] = ()
+        if isinstance(self._description.geometry, Planar):
+            more = ("motion", "speed_ratio") if self.n in (3, 4) else ("motion",)
+            more += ("self_motion",) if self.kinds == "RRR" else ()
+        elif isinstance(self._description.geometry, Orthogonal3R):
+            more = ("cuspidality",)
         followed = (f"continuation_{task}" for task, rows in self.tasks.items() if self.n - rows == 1)
         return ("kinematics", *self.full_rank_tasks, *more, *followed)
 

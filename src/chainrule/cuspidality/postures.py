@@ -30,6 +30,8 @@ Array = NDArray[Any]
 CLOSED = 2e-13
 #: Half the angle up to which two postures in closed form count as one: what rounding makes of a double root.
 ALIKE = 3e-8
+#: Points evaluated at a time: their results stay in the cache.
+BLOCK = 2048
 #: Bits of the ball arithmetic.
 PRECISION = 192
 TURN = 2.0 * math.pi
@@ -95,6 +97,8 @@ def postures(regional: Regional, points: Any) -> PostureSet:
     """
     given = _points(points)
     found = section(regional, regional.point_to_normal(given))
+    if regional.signs == (1, 1, 1) and not any(regional.offsets):
+        return PostureSet(found.theta, found.count, found.free, found.decided)
     q = wrapped(regional.from_normal(found.theta))
     return PostureSet(_sorted(q), found.count, found.free, found.decided)
 
@@ -130,7 +134,7 @@ def number_of_postures(regional: Regional, rho: Any, z: Any) -> Array:
     found = number.astype(int)
     doubtful = np.flatnonzero(~(margin > 1.0))
     points = np.stack([distances, np.zeros_like(distances), heights], axis=-1)[reachable][doubtful] * factor
-    quartics = _quartics(_exact_values(regional, factor), points)
+    quartics = _quartics(_exact_values(regional, values), points)
     for k, point, coefficients in zip(doubtful, points, quartics, strict=True):
         known = _number(coefficients)
         if known is None:
@@ -149,22 +153,27 @@ def section(regional: Regional, points: Array) -> Section:
     """Postures in angles of the normal form at ``points`` (..., 3) of its frame."""
     _refuse(regional)
     values, factor = _scaled(regional)
-    flat = points.reshape(-1, 3)
-    theta = np.full((len(flat), 4, 3), np.nan)
-    free = np.zeros((len(flat), 3), bool)
-    with np.errstate(over="ignore"):
-        near = np.flatnonzero(np.hypot(np.hypot(flat[:, 0], flat[:, 1]), flat[:, 2]) <= 2.0 * regional.size)
-    scaled = flat[near] * factor
-    if values[4] == 0.0 or values[1] == 0.0:
-        found, loose, decided = _in_closed_form(values, scaled)
-    else:
-        found, loose, decided = _from_quartic(values, _exact_values(regional, factor), scaled)
-    on_axis = np.hypot(scaled[:, 0], scaled[:, 1]) <= CLOSED
-    theta[near], free[near, 1], free[near, 2] = found, loose[:, 0], loose[:, 1]
+    flat, decided = points.reshape(-1, 3), 0
+    theta, free = np.empty((len(flat), 4, 3)), np.empty((len(flat), 3), bool)
+    closed_form = values[4] == 0.0 or values[1] == 0.0
+    pivots = [] if closed_form else list(_on_second_axis(values))
+    exact = _exact_values(regional, values)
+    for start in range(0, len(flat), BLOCK):
+        with np.errstate(over="ignore"):
+            scaled = flat[start : start + BLOCK] * factor
+            far = ~((scaled * scaled).sum(axis=-1) <= 16.0)  # the arm's size is less than 2
+        scaled[far] = 0.0
+        found, loose, doubtful = (
+            _in_closed_form(values, scaled) if closed_form else _from_quartic(values, exact, scaled, pivots)
+        )
+        found[far], loose[far] = np.nan, False
+        theta[start : start + BLOCK], free[start : start + BLOCK, 1:] = found, loose
+        free[start : start + BLOCK, 0] = scaled[:, 0] ** 2 + scaled[:, 1] ** 2 <= CLOSED**2
+        decided += doubtful
     count = np.isfinite(theta[..., 2]).sum(axis=-1)
-    free[near, 0] = on_axis & (count[near] > 0)
+    free[count == 0] = False
     lead = points.shape[:-1]
-    return Section(_sorted(wrapped(theta)).reshape(*lead, 4, 3), count.reshape(lead), free.reshape(*lead, 3), decided)
+    return Section(theta.reshape(*lead, 4, 3), count.reshape(lead), free.reshape(*lead, 3), decided)
 
 
 def _refuse(regional: Regional) -> None:
@@ -190,21 +199,19 @@ def _scaled(regional: Regional) -> tuple[Array, float]:
     return values, factor
 
 
-def _exact_values(regional: Regional, factor: float) -> Array:
+def _exact_values(regional: Regional, values: Array) -> Array:
     """The same in fractions."""
-    lengths = np.arange(9) >= 4
-    found: Array = regional.rationals * np.where(lengths, _fractions(np.array([factor])), _fractions(np.ones(1)))
-    return found
+    return np.concatenate([regional.rationals[:4], _fractions(values[4:])])
 
 
 def wrapped(angles: Array) -> Array:
     """Angles in (-pi, pi]."""
-    found: Array = math.pi - np.remainder(math.pi - angles, TURN)
-    return found
+    found = angles - TURN * np.ceil((angles - math.pi) / TURN)
+    return np.where(found <= -math.pi, math.pi, np.minimum(found, math.pi))  # rounding may lead just out of it
 
 
 def _sorted(angles: Array) -> Array:
-    """Postures (..., 4, 3) by rising last angle, nan last."""
+    """Postures (..., k, 3) by rising last angle, nan last."""
     order = np.argsort(angles[..., 2], axis=-1)
     found: Array = np.take_along_axis(angles, order[..., None], axis=-2)
     return found
@@ -213,32 +220,36 @@ def _sorted(angles: Array) -> Array:
 # ---- generic arms: the quartic -------------------------------------------------------------------------------------
 
 
-def _from_quartic(values: Array, exact: Array, points: Array) -> tuple[Array, Array, int]:
-    """Postures (k, 4, 3), whether theta2 and theta3 are free (k, 2), and how many points were decided exactly."""
+def _from_quartic(
+    values: Array, exact: Array, points: Array, pivots: list[tuple[float, Array]]
+) -> tuple[Array, Array, int]:
+    """Postures (k, 4, 3) by rising theta3, whether theta2 and theta3 are free (k, 2), how many were decided exactly."""
     angles, room, closure, slope, number, margin = evaluator("postures")(values, points)
-    pivots = list(_on_second_axis(values))
+    clear = margin > 1.0
     touching = np.zeros(len(points), bool)
     for _, target in pivots:
         touching |= np.hypot(np.hypot(points[:, 0], points[:, 1]) - target[0], points[:, 2] - target[1]) <= CLOSED
-    doubtful = np.flatnonzero(~(margin > 1.0) | touching)
-    quartics, rest = _quartics(exact, points[doubtful]), np.zeros(len(points), bool)
-    for k, coefficients in zip(doubtful, quartics, strict=True):
+    doubtful, rest = np.flatnonzero(~clear), touching.copy()
+    for k, coefficients in zip(doubtful, _quartics(exact, points[doubtful]), strict=True):
         known = _number(coefficients)
-        rest[k] = known is None or touching[k]
+        rest[k] |= known is None
         number[k] = -1.0 if known is None else known
     valid = _valid(number, room)
-    sound = (~valid | (closure <= CLOSED)).all(axis=-1) & _separate(angles[..., 2], slope, valid, margin > 1.0)
-    angles[~valid] = np.nan
+    angles = np.where(valid[..., None], wrapped(angles), np.nan)
+    order = np.argsort(angles[..., 2], axis=-1)  # nan last
+    angles, slope, closed = (
+        part[np.arange(len(points))[:, None], order] for part in (angles, slope, closure <= CLOSED)
+    )
+    known = np.arange(4) < number[:, None]
+    rest |= ~((closed | ~known).all(axis=-1) & _separate(angles[..., 2], slope, known, clear))
     free = np.zeros((len(points), 2), bool)
-    for k in np.flatnonzero(~sound | rest):
-        found, loose = _exactly(values, exact, points[k])
+    for k in np.flatnonzero(rest):
+        found, free[k, 1] = _exactly(values, exact, points[k])
         if touching[k]:
-            found = _with_pivots(values, points[k], found, pivots)
-            free[k, 0] = True
-        free[k, 1] = loose
+            found, free[k, 0] = _with_pivots(values, points[k], found, pivots), True
         angles[k] = np.nan
-        angles[k, : len(found)] = np.reshape(found, (-1, 3))
-    return angles, free, int((~sound | rest | ~(margin > 1.0)).sum())
+        angles[k, : len(found)] = _sorted(wrapped(np.reshape(found, (-1, 3))))
+    return angles, free, int((rest | ~clear).sum())
 
 
 def _valid(number: Array, room: Array) -> Array:
@@ -255,11 +266,9 @@ def _separate(theta3: Array, slope: Array, valid: Array, clear: Array) -> Array:
     Two that rounding cannot tell apart, where the number of roots was doubtful and is now known, are a pair that nearly
     meets on a singular curve: either is as near to a root as doubles allow.
     """
-    order = np.argsort(np.where(valid, theta3, np.inf), axis=-1)
-    angle, sign, known = (np.take_along_axis(part, order, axis=-1) for part in (theta3, np.sign(slope), valid))
-    alternating = sign[:, 1:] * sign[:, :-1] < 0.0
-    alike = (angle[:, 1:] - angle[:, :-1] <= 4.0 * ALIKE) & ~clear[:, None]
-    found: Array = (alternating | alike | ~known[:, 1:]).all(axis=-1)
+    alternating = slope[:, 1:] * slope[:, :-1] < 0.0
+    alike = (theta3[:, 1:] - theta3[:, :-1] <= 4.0 * ALIKE) & ~clear[:, None]
+    found: Array = np.all(alternating | alike | ~valid[:, 1:], axis=-1)
     return found
 
 
@@ -402,4 +411,4 @@ def _in_closed_form(values: Array, points: Array) -> tuple[Array, Array, int]:
     _, sa2, _, sa3, _, d3, d4, r2, _ = values
     still = d4 == 0.0 or (sa2 == 0.0 and sa3 == 0.0) or (sa2 != 0.0 and d3 == 0.0 and sa3 * r2 == 0.0)
     free[:, 1] = still & valid.any(axis=-1)
-    return angles, free, 0
+    return _sorted(wrapped(angles)), free, 0
