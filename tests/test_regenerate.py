@@ -25,13 +25,15 @@ CHECKOUT = Places.checkout(Path(__file__).resolve().parents[1])
 #: Few arms, so that all can be regenerated in seconds: a family with a closed form, a square arm, a redundant one.
 ARMS = ("planar_3r.toml", "puma560.toml", "panda.toml")
 PLANAR = ("kinematics", "position", "x_alpha", "pose", "motion", "speed_ratio")
+FOLLOWED = ("continuation_position", "continuation_x_alpha")
 MORPHOLOGIES = tuple(f"planar_{a}{b}{c}" for a in "rp" for b in "rp" for c in "rp")  # generated whatever arms there are
 UNITS = {
     **dict.fromkeys(MORPHOLOGIES, ("kinematics", "motion", "speed_ratio")),
-    "planar_rrr": PLANAR,
+    "planar_rrr": (*PLANAR, "self_motion", *FOLLOWED),
+    "regional_3r": ("cuspidality",),
     "motion": ("rest_to_rest",),
     "puma560": ("kinematics", "position", "pose"),
-    "panda": ("kinematics", "position", "pose"),
+    "panda": ("kinematics", "position", "pose", "continuation_pose"),
 }
 
 RUN = """
@@ -200,13 +202,14 @@ def test_editing_one_derivation(copy):
 
 
 def test_editing_the_minors(copy):
-    """Every unit that has minors; the planar closed form, in the kinematics too, imports them."""
+    """Every unit that has minors or imports them: the closed forms, and what follows the null vector."""
     before = contents(copy)
     edit(copy / "derive/manipulability.py", "MOST_PROJECTED = 16", "MOST_PROJECTED = 15 + 1")
     assert run(copy)[0] == 0
     changed = written(before, contents(copy)) - {"manifest.json"}
-    planar = (f"planar_rrr_{group}" for group in PLANAR[:4])
-    assert changed == files_of(*planar, "panda_position", "panda_pose", "puma560_position", "puma560_pose")
+    planar = (f"planar_rrr_{group}" for group in (*PLANAR[:4], *FOLLOWED))
+    spatial = ("panda_position", "panda_pose", "panda_continuation_pose", "puma560_position", "puma560_pose")
+    assert changed == files_of(*planar, *spatial, "regional_3r_cuspidality")
 
 
 def test_editing_a_geometry(copy):
