@@ -8,9 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
+from itertools import chain
 from typing import Any
 
-from benchmarks import planar
+from benchmarks import cuspidality, planar
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
 from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
@@ -111,7 +112,7 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
             if effort.parts:
                 progress(f"{case.title}: taking ours apart")
                 parts += _part_rows(case, q, effort)
-        for section, ways, note in planar.questions(effort.batch):
+        for section, ways, note in chain(planar.questions(effort.batch), cuspidality.questions(effort.batch)):
             progress(f"{section}: comparing and timing")
             worst = planar.agreement(ways)
             notes += [f"{section}: everyone agrees to {worst:.0e}."] if worst else []
