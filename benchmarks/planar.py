@@ -32,6 +32,8 @@ class Way:
     call: Callable[[], object]
     results: Results | None = None
     least: float = 0.0  # how many times slower than ours it is meant to be
+    most_ns: float = 0.0  # how long one answer is meant to take at most
+    tolerance: float = TOLERANCE
 
 
 def agreement(ways: list[Way]) -> float:
@@ -49,7 +51,7 @@ def agreement(ways: list[Way]) -> float:
             mine = mine[: len(theirs)]
             difference = float(np.max(np.abs(mine - theirs) / np.maximum(1.0, np.abs(mine)), initial=0.0))
             worst = max(worst, difference)
-            if not difference <= TOLERANCE:
+            if not difference <= way.tolerance:
                 raise Disagreement(f"{way.who} differs by {difference:.1e}")
     return worst
 
@@ -63,6 +65,8 @@ def rows(section: str, ways: list[Way], rounds: int, least_ns: float) -> list[Ro
         timing = found[way.who]
         ratio = timing.times(mine)
         goal = {"goal": f"ours {way.least:g} times faster", "reached": ratio >= way.least} if way.least else {}
+        if way.most_ns:
+            goal = {"goal": f"at most {way.most_ns:,.0f} ns", "reached": timing.median <= way.most_ns}
         table.append(Row(section, way.who, timing.median, "ns", timing.spread, ratio, **goal))  # type: ignore[arg-type]
     return table
 

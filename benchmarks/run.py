@@ -8,9 +8,10 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
+from itertools import chain
 from typing import Any
 
-from benchmarks import planar, self_motion
+from benchmarks import cuspidality, planar, self_motion
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
 from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
@@ -111,7 +112,8 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
             if effort.parts:
                 progress(f"{case.title}: taking ours apart")
                 parts += _part_rows(case, q, effort)
-        for section, ways, note in (*planar.questions(effort.batch), *self_motion.questions(effort.batch)):
+        asking = (part.questions(effort.batch) for part in (planar, cuspidality, self_motion))
+        for section, ways, note in chain.from_iterable(asking):
             progress(f"{section}: comparing and timing")
             worst = planar.agreement(ways)
             notes += [f"{section}: everyone agrees to {worst:.0e}."] if worst else []

@@ -91,9 +91,10 @@ def postures(regional: Regional, points: Any) -> PostureSet:
 
     Example:
         >>> from chainrule import orthogonal_3r
-        >>> found = postures(Regional.of(orthogonal_3r(1.0, 2.0, 1.5, 1.0)), [2.0, 0.0, 0.5])
-        >>> int(found.count), found.q.round(3)[0]
-        (4, array([-1.443, -1.703, -1.748]))
+        >>> arm = orthogonal_3r(1.0, 2.0, 1.5, 1.0)
+        >>> found = postures(Regional.of(arm), [2.0, 0.25, 0.5])
+        >>> int(found.count), arm.position(found.q[0]).round(12)
+        (4, array([2.  , 0.25, 0.5 ]))
     """
     given = _points(points)
     found = section(regional, regional.point_to_normal(given))
