@@ -145,6 +145,11 @@ def given(ports: Sequence[tuple[str, Sequence[int]]], arm: Any, q: np.ndarray) -
     return found
 
 
+def shaped(ports: Sequence[tuple[str, Sequence[int]]], arrays: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """The inputs of :func:`given` with the axes that a function takes: matrices are not rows."""
+    return [array.reshape(*array.shape[:-1], *shape) for array, (_, shape) in zip(arrays, ports, strict=True)]
+
+
 def ports_of(program: Program | Kernel) -> list[tuple[str, Sequence[int]]]:
     """Names and shapes of a function's inputs."""
     return [(port.name, port.shape) for port in program.inputs]
@@ -175,7 +180,7 @@ def arguments(arm: cr.Arm, q: Any) -> list[Any]:
 
 def outputs_of(evaluator: Evaluator, arm: cr.Arm, q: Any) -> list[np.ndarray]:
     """Every output of an evaluator at the configurations q (k, n), each as (k, entries)."""
-    found = evaluator(*given(evaluator.inputs, arm, q))
+    found = evaluator(*shaped(evaluator.inputs, given(evaluator.inputs, arm, q)))
     found = found if isinstance(found, tuple) else (found,)
     return [
         np.asarray(entry).reshape(len(q), math.prod(shape))

@@ -94,7 +94,8 @@ def test_float_against_double(arm, group, function):
     q = under.random_q(under.ARMS[arm], 200, 2).astype(np.float32)
     evaluator = compiled(arm, function)
     found = under.outputs_of(evaluator, under.ARMS[arm], q)
-    exact = evaluator(*(array.astype(float) for array in under.given(evaluator.inputs, under.ARMS[arm], q)))
+    inputs = under.shaped(evaluator.inputs, under.given(evaluator.inputs, under.ARMS[arm], q))
+    exact = evaluator(*(array.astype(float) for array in inputs))
     exact = exact if isinstance(exact, tuple) else (exact,)
     bounds = under.bounds_for(arm, group, function, q)
     for array, double, bound in zip(found, exact, bounds, strict=True):
