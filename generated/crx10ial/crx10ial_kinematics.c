@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 1748f9daae78be567a6a17d8670c2262b79131b8adb36722b16d717eafd39830.
+ * Made from templates/kernel.c.j2; inputs 451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "1748f9daae78be567a6a17d8670c2262b79131b8adb36722b16d717eafd39830";
+const char crx10ial_kinematics_digest[] = "451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 56f553bf96ea4d9321c6048178fc263fbb2440688c33f6acf4f6588ff3986b89.
+ * Made from templates/kernel.c.j2; inputs 9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "56f553bf96ea4d9321c6048178fc263fbb2440688c33f6acf4f6588ff3986b89";
+const char gofa5_kinematics_digest[] = "9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a3a6973b4758d4f31219349816560311c6c5ea7f8c428459df1bf800800dde17.
+Made from templates/kernel.py.j2; inputs 40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -20,6 +20,7 @@ def continuation_pose(q, held):
     """
     q = np.asarray(q)
     held = np.asarray(held)
+    held = held.reshape(held.shape[:-2] + (16,))
     _leading = np.broadcast_shapes(q.shape[:-1], held.shape[:-1])
     _real = np.result_type(q, held, np.float32)
 

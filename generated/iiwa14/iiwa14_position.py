@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b27ea35885e3cb5fec3db9032527be6d08c4a330d7fe04b0d756b4d6359595a3.
+Made from templates/kernel.py.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
 1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 0bdd9d132b013f548bbdb27c7f87c55583716cf4ea3fbada05eb3365a3aa84bb.
+ * Made from templates/kernel.h.j2; inputs cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 4ae5440eab6cb954a4c4940b6dbca9325f86b256f26140b3f985bae8f0cab8ec.
+ * Made from templates/kernel.h.j2; inputs ab236c447033f6ca071101304c97ba39f872199882e78f6d8b7b6389020e5fa9.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f3276e780253de3c66ca210aeec1bc761e2be7fbe84c128f8dcee6dd0f5e05e1.
+Made from templates/kernel.py.j2; inputs 691b362e0edf21ddf1515204305bb2c0fbd408ce7003e9aaf3c755303cd04564.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

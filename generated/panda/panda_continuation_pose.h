@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs e8880de3aca6cc169af480bb18f8123171d2df2d57e1fc7751ec55ee4980485b.
+ * Made from templates/kernel.h.j2; inputs 1c98de03df02c2b56b79a76593821687de27b186882c3f8a6f3ad7a05dd5a0d9.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

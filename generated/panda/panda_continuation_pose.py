@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e8880de3aca6cc169af480bb18f8123171d2df2d57e1fc7751ec55ee4980485b.
+Made from templates/kernel.py.j2; inputs 1c98de03df02c2b56b79a76593821687de27b186882c3f8a6f3ad7a05dd5a0d9.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -20,6 +20,7 @@ def continuation_pose(q, held):
     """
     q = np.asarray(q)
     held = np.asarray(held)
+    held = held.reshape(held.shape[:-2] + (16,))
     _leading = np.broadcast_shapes(q.shape[:-1], held.shape[:-1])
     _real = np.result_type(q, held, np.float32)
 

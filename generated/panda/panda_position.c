@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 05f6f66018b6c34a3a0653b13097e4cab382e6be170490170e5f3e198c3487ba.
+ * Made from templates/kernel.c.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "05f6f66018b6c34a3a0653b13097e4cab382e6be170490170e5f3e198c3487ba";
+const char panda_position_digest[] = "85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 05f6f66018b6c34a3a0653b13097e4cab382e6be170490170e5f3e198c3487ba.
+ * Made from templates/kernel.h.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

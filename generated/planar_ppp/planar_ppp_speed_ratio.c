@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs ef5b700afda7b7d26aba4e59ca97afa71cae571082a4887a8624551d413073c7.
+ * Made from templates/kernel.c.j2; inputs 4cf0ff6da409417a7faeefd8538cae28272849c9ede9ff14748bd98e65593bc0.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "ef5b700afda7b7d26aba4e59ca97afa71cae571082a4887a8624551d413073c7";
+const char planar_ppp_speed_ratio_digest[] = "4cf0ff6da409417a7faeefd8538cae28272849c9ede9ff14748bd98e65593bc0";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs d4197673183f3086ff5576a1d754ffc448a18eca502fe319afa686ff98b63f9e.
+ * Made from templates/kernel.c.j2; inputs 109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "d4197673183f3086ff5576a1d754ffc448a18eca502fe319afa686ff98b63f9e";
+const char planar_ppr_kinematics_digest[] = "109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7";
 #endif
 
 #define LANES 64

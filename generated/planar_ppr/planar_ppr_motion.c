@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 7d7fbcd170d226aedb712d5c5d70b1afe247b3a3f514cb0e485a980d83a2a525.
+ * Made from templates/kernel.c.j2; inputs d5f1ae468b0fc85e9466e1cc2a03bad12a296767568b9dc651646101d2c19623.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "7d7fbcd170d226aedb712d5c5d70b1afe247b3a3f514cb0e485a980d83a2a525";
+const char planar_ppr_motion_digest[] = "d5f1ae468b0fc85e9466e1cc2a03bad12a296767568b9dc651646101d2c19623";
 #endif
 
 #define LANES 64

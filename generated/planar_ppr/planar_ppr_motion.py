@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7d7fbcd170d226aedb712d5c5d70b1afe247b3a3f514cb0e485a980d83a2a525.
+Made from templates/kernel.py.j2; inputs d5f1ae468b0fc85e9466e1cc2a03bad12a296767568b9dc651646101d2c19623.
 194 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 68928c7d70379ceb48246a9f360a532e6bb90799b3ec0cdc390f096d35c0bbb4.
+ * Made from templates/kernel.c.j2; inputs 9a331d5e17e870c6fcc6966afad433cfc77ccefbadbe6b75e55716be80d3a51d.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "68928c7d70379ceb48246a9f360a532e6bb90799b3ec0cdc390f096d35c0bbb4";
+const char planar_ppr_speed_ratio_digest[] = "9a331d5e17e870c6fcc6966afad433cfc77ccefbadbe6b75e55716be80d3a51d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 68928c7d70379ceb48246a9f360a532e6bb90799b3ec0cdc390f096d35c0bbb4.
+ * Made from templates/kernel.h.j2; inputs 9a331d5e17e870c6fcc6966afad433cfc77ccefbadbe6b75e55716be80d3a51d.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

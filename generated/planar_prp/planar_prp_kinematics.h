@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs fb2a633082235b25ebe1c08378a7ddf64d4d7a264ac69649d84d644936d2271a.
+ * Made from templates/kernel.h.j2; inputs bdad607b29cb08ca96eef2b1e332cc010030b3a4daa111804cc65525e5bfbe92.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8030bec5adf5336cd2637f6bca46c7a478737febb61c1fdc91c007c26e7a0571.
+Made from templates/kernel.py.j2; inputs 1d2864816ab762b1242640749c0b50a190d0c0bd4eae7522030c58dc696ed7e5.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

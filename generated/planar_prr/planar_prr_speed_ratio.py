@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4f7bff6d8368f2f9b1070c70a60df02e9b18ad7b307bb16ad2357fea18dc7da9.
+Made from templates/kernel.py.j2; inputs d722cfc5eed70dcdc8562f87dcf7dd088c95cb1f41c0689a8fbfc91daac29a3a.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

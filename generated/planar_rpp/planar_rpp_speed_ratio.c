@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs beabb62c1d78a11d8e70f5b6b463e86199307da8defc18960b8f8673d3d447e1.
+ * Made from templates/kernel.c.j2; inputs e9cc7212c63c89e04e4676f68e1fa64cbb71a283fe65b7715f6283686037491a.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "beabb62c1d78a11d8e70f5b6b463e86199307da8defc18960b8f8673d3d447e1";
+const char planar_rpp_speed_ratio_digest[] = "e9cc7212c63c89e04e4676f68e1fa64cbb71a283fe65b7715f6283686037491a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs beabb62c1d78a11d8e70f5b6b463e86199307da8defc18960b8f8673d3d447e1.
+ * Made from templates/kernel.h.j2; inputs e9cc7212c63c89e04e4676f68e1fa64cbb71a283fe65b7715f6283686037491a.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

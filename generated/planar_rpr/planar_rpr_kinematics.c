@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs f2fd9fbd1da0cca3f7eaadfd0b7d79648b0fdeca2b452cef765e4d093c45f2bb.
+ * Made from templates/kernel.c.j2; inputs 2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "f2fd9fbd1da0cca3f7eaadfd0b7d79648b0fdeca2b452cef765e4d093c45f2bb";
+const char planar_rpr_kinematics_digest[] = "2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c";
 #endif
 
 #define LANES 64

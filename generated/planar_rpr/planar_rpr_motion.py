@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c6ab19adbd2c5138f35f393a5f7fd2e2e5fb3db65e41f39f30924b124c82ea1e.
+Made from templates/kernel.py.j2; inputs 0bc0b7ccb5df63e6ca2c4055af27d9632b1e3ea0755e7a688207a59eb30237dd.
 307 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9839fa64e77ee838ac9aadb6cc571a6be2bf5562a2f2083f33ee7d578cee0abb.
+Made from templates/kernel.py.j2; inputs e309d19378e6f119bba31de2a3fb232613740fe2658b2ef498b39c7704045a51.
 1003 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 004a6850567c034ee48fa9ac1e8c6e9a84e6e81b124aa6d0342da2cb2f83fa8a.
+ * Made from templates/kernel.c.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "004a6850567c034ee48fa9ac1e8c6e9a84e6e81b124aa6d0342da2cb2f83fa8a";
+const char planar_rrp_motion_digest[] = "aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b";
 #endif
 
 #define LANES 64

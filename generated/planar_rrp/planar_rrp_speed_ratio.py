@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9a478e051c1a450416e5e73b3c5f62bf9b930ef83ed34f320a83dea90a224264.
+Made from templates/kernel.py.j2; inputs 726196711b586fdb1f40355bed086f8202b2a19555064fb7a358a9245abf74a6.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs b317411a467dcb184062b4d218ff655e2e64b99c29a358f81828624699b49487.
+ * Made from templates/kernel.h.j2; inputs 8fd1ca9922f8cc66ddcf8fae548272df0a0b4ba30e817b48fcc14f046469c7a3.
  * 1575 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs ce80b0ff918f2769befe4982784011a6ae20d813907b48035018d9ac1a38c045.
+ * Made from templates/kernel.c.j2; inputs e762323a9d74d259afdd7ca7d41a6ce803dcebe81b43951acd0ae815a5b2885e.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "ce80b0ff918f2769befe4982784011a6ae20d813907b48035018d9ac1a38c045";
+const char planar_rrr_speed_ratio_digest[] = "e762323a9d74d259afdd7ca7d41a6ce803dcebe81b43951acd0ae815a5b2885e";
 #endif
 
 #define LANES 64

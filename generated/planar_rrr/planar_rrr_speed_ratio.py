@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ce80b0ff918f2769befe4982784011a6ae20d813907b48035018d9ac1a38c045.
+Made from templates/kernel.py.j2; inputs e762323a9d74d259afdd7ca7d41a6ce803dcebe81b43951acd0ae815a5b2885e.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

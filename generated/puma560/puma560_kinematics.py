@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 391bb2448cf7315e629d1c89dfc0463d0b1610330b3372a7399d4557ab5b863b.
+Made from templates/kernel.py.j2; inputs 83010187fb606a7c3e7425431459fe56251c27b35d5de77d493faef196f1587b.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

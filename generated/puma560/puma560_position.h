@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs cb2d89d218088a61c5b67eba14e350463b98317c18021b7484ebe8443e120888.
+ * Made from templates/kernel.h.j2; inputs 7c72f4ab69b863b2f8de76ff747526359dce2113076a6e039035fbbfea0cf01a.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

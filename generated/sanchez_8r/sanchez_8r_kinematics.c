@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 87ec7009937f97c72de0bd1a4f01e59f30e742926f4e547697dc9c3b2f9e1060.
+ * Made from templates/kernel.c.j2; inputs 0aa601dfd9013d2559eb9272531f257c8ea15b435f476b3ca5d50b4a29953735.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "87ec7009937f97c72de0bd1a4f01e59f30e742926f4e547697dc9c3b2f9e1060";
+const char sanchez_8r_kinematics_digest[] = "0aa601dfd9013d2559eb9272531f257c8ea15b435f476b3ca5d50b4a29953735";
 #endif
 
 #define LANES 32

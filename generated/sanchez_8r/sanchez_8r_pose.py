@@ -1,6 +1,6 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc.
+Made from templates/kernel.py.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
 3779 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc.
+ * Made from templates/kernel.c.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "98551e532d846ff43e117e993ce315a54c94bce34a36f20f17b18bac139a0ebc";
+const char sanchez_8r_position_digest[] = "b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 92797a319a7ac61bb6d1fe8b96ffe217443b7c6c7f474a42a9c00b3362d0e2cd.
+ * Made from templates/kernel.c.j2; inputs b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "92797a319a7ac61bb6d1fe8b96ffe217443b7c6c7f474a42a9c00b3362d0e2cd";
+const char ur5e_kinematics_digest[] = "b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f";
 #endif
 
 #define LANES 64
