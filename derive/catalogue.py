@@ -23,6 +23,7 @@ from chainrule.derive import (
     planar,
     planar_3r,
     planar_motion,
+    quartic,
     regional_3r,
     regional_postures,
     rest_to_rest,
@@ -231,6 +232,9 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: s.right_angle(regional_3r.cusp_polynomial)),
     Entry("cuspidality", lambda s: regional_3r.aspect_polynomial(s.regional)),
     Entry("cuspidality", lambda s: regional_3r.determinant_terms(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.determinant(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.second_axis(s.regional)),
+    Entry("cuspidality", lambda s: quartic.quartic_invariants() if s.family is regional_3r else None),
     Entry("cuspidality", lambda s: regional_3r.triple_point(s.regional)),
     Entry("cuspidality", lambda s: s.right_angle(regional_3r.triple_point)),
     Entry("cuspidality", lambda s: regional_3r.image(s.regional)),
@@ -238,7 +242,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: regional_3r.shoulder(s.regional)),
     Entry("cuspidality", lambda s: regional_3r.unturned(s.regional)),
     Entry("cuspidality", lambda s: regional_postures.number_of_postures(s.regional)),
-    Entry("cuspidality", lambda s: regional_postures.postures(s.regional)),
+    Entry("cuspidality", lambda s: regional_postures.postures(s.regional) if s.family is regional_3r else None),
     *(Entry("cuspidality", partial(postures_in_pairs, parallel=parallel)) for parallel in (False, True)),
     Entry("cuspidality", lambda s: orthogonal_designs.classify() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.sides_of_surfaces() if s.closed is orthogonal_3r else None),
@@ -285,7 +289,7 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
             "motion": (planar_motion,),
             "speed_ratio": (ratios,),
             "self_motion": (self_motion_planar_3r,),
-            "cuspidality": (nodes_3r, orthogonal_designs, regional_postures, self_motion_sweep),
+            "cuspidality": (nodes_3r, orthogonal_designs, quartic, regional_postures, self_motion_sweep),
         }
         return known.get(group, (family,))
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []

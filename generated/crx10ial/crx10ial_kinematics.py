@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd.
+Made from templates/kernel.py.j2; inputs 585171742ddbfcadefecde89d0bdfc2efdea283cb30cd50277963143a9cb41cf.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

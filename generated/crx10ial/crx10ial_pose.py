@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
+Made from templates/kernel.py.j2; inputs 2cad214971637ef7865c54a31f6a620b4ad8db04e034dc02824b6f0b24cf0f82.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

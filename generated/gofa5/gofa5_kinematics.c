@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e.
+ * Made from templates/kernel.c.j2; inputs 2a61228b73989f0b5b9e01d4da824ae7ca376787020de9f5d925c01ad204f294.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e";
+const char gofa5_kinematics_digest[] = "2a61228b73989f0b5b9e01d4da824ae7ca376787020de9f5d925c01ad204f294";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 1a25a8943ef0a9481b30a352a9668c4a41a66843cd491b4e8b643b3053f85654.
+ * Made from templates/kernel.h.j2; inputs 51d5055af9906a9569f0b73d0548054f5ec94e83ca93374b16371e3d6fc01929.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

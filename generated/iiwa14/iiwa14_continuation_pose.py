@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1.
+Made from templates/kernel.py.j2; inputs 6a3442692b73bd096f83f80d5e445ea61da893ae0f6da2fe9545bf335f19da68.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

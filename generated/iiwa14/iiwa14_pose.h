@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
+ * Made from templates/kernel.h.j2; inputs 5a04460d60bf9751499fb7b68c22511deb717046db89f46f919511c5b0f78d02.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

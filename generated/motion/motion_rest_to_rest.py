@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f.
+Made from templates/kernel.py.j2; inputs 16214143438169c42b1bf850ceaa89e5a92eb6044b10d396cba934c1f936c61d.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1c98de03df02c2b56b79a76593821687de27b186882c3f8a6f3ad7a05dd5a0d9.
+Made from templates/kernel.py.j2; inputs d3b6d38e023f002b7ce6594947e023e76d19bb98a2dcbb6d7ba0a9a56c66d7b6.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
+ * Made from templates/kernel.h.j2; inputs da3f9d2bf11054dad588a3880a922b39dc128de4f073bedd2f2c820c714af08d.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

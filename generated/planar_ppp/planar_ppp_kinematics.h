@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 7e1b5dd906e0ee51f7f4c797666a69ad264b736184c2a7a0619059730c777681.
+ * Made from templates/kernel.h.j2; inputs 974718a8dbdc40ee1535cbf7e4c35a212da9628c9ae1f3f44ac29f3369a337cf.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94.
+ * Made from templates/kernel.c.j2; inputs 7ed9570a831a9eb3ab260d8a082ad917dfabffcb4ad122f4ac952afa3acbc50b.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94";
+const char planar_ppp_motion_digest[] = "7ed9570a831a9eb3ab260d8a082ad917dfabffcb4ad122f4ac952afa3acbc50b";
 #endif
 
 #define LANES 64

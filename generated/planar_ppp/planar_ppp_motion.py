@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94.
+Made from templates/kernel.py.j2; inputs 7ed9570a831a9eb3ab260d8a082ad917dfabffcb4ad122f4ac952afa3acbc50b.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

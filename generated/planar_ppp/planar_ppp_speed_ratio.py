@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cf0ff6da409417a7faeefd8538cae28272849c9ede9ff14748bd98e65593bc0.
+Made from templates/kernel.py.j2; inputs a080dc93c7a2b36321a90a7f516a86828d5f5dbf59fbe8b7e3d595854811d41d.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

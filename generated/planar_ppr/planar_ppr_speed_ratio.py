@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9a331d5e17e870c6fcc6966afad433cfc77ccefbadbe6b75e55716be80d3a51d.
+Made from templates/kernel.py.j2; inputs 596fd768574d002b8e3d5bc50dd71ac5308d9a1f0e2e9d38827da55bdb29200e.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

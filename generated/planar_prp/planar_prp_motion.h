@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
+ * Made from templates/kernel.h.j2; inputs e5f210daef030feb003507db5d95bfbe9815446b7ed8d9476a86a58fd05b8903.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs 1d2864816ab762b1242640749c0b50a190d0c0bd4eae7522030c58dc696ed7e5.
+ * Made from templates/kernel.h.j2; inputs 26d35a25158814ce12e16600d968c92b38e9e97af950b654b46b91fc03404202.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

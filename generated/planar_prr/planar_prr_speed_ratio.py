@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d722cfc5eed70dcdc8562f87dcf7dd088c95cb1f41c0689a8fbfc91daac29a3a.
+Made from templates/kernel.py.j2; inputs a449b183c6b2ff2dc98f923cbb7ecf1b2c89f0683cf41fb9c6f4813dbe55314f.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d1c69ec0865516916024e9740ca6afd1dae1cab7520b4446a80b8e903f597fba.
+Made from templates/kernel.py.j2; inputs 83a7811d5d16137cea12218b4cd281fd410ad3f56647f579d650f0a3fff091f9.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c.
+ * Made from templates/kernel.h.j2; inputs 713543efa4486ee1149cb2c1efb7caf3d269a9da4297cd3fe26498f5639ecc9b.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

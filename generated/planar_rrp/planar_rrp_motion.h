@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
+ * Made from templates/kernel.h.j2; inputs d0425bc102739adffee1d64b479df9a0d3d1cf49f20ab9ec879a153ceb736efc.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

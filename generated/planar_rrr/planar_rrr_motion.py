@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 219a78f47c88665ff84fb95e9c52a38c1f537184f5db64a50618268555c53cd7.
+Made from templates/kernel.py.j2; inputs dcb87440b786765c0fd6e3927d2e7e29249bfe16dffb04373629cfdf332de81b.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

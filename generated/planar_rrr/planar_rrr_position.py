@@ -1,6 +1,6 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3.
+Made from templates/kernel.py.j2; inputs 21019d7f6ddf291f2f4fe7d117f21a559074a7918e2d1d8d6e9c92e3656f396b.
 245 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

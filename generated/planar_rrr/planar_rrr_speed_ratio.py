@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e762323a9d74d259afdd7ca7d41a6ce803dcebe81b43951acd0ae815a5b2885e.
+Made from templates/kernel.py.j2; inputs 41aacb52b819d8c72efe59576becf5c19fd9857a9591a7784f0c27f1e1679e8a.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,7 +1,7 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab.
-3766 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 11b507d0bad750d40414a8abb6daa98d72b1953809de4218537793316bbac18f.
+6368 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -358,6 +358,115 @@ def determinant_terms(parameters, elbow):
     terms[..., 1] = d4 * (t2 * (d2 * t4) - sa2 * (t1 * t6))
     terms[..., 2] = -(sa2 * (d4 * d2 * t7))
     return terms.reshape(_leading + (3,))
+
+
+def determinant(parameters, shoulder, elbow):
+    """det J, the determinant of the position Jacobian: 39 operations.
+
+    in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+    in   shoulder[2] = (c2, s2)
+    in   elbow[2] = (c3, s3)
+    out  determinant (one number)
+    """
+    parameters = np.asarray(parameters)
+    shoulder = np.asarray(shoulder)
+    elbow = np.asarray(elbow)
+    _leading = np.broadcast_shapes(parameters.shape[:-1], shoulder.shape[:-1], elbow.shape[:-1])
+    _real = np.result_type(parameters, shoulder, elbow, np.float32)
+
+    # inputs, sines and cosines
+    c2 = shoulder[..., 0]
+    d4 = parameters[..., 6]
+    d2 = parameters[..., 4]
+    ca3 = parameters[..., 2]
+    s3 = elbow[..., 1]
+    r3 = parameters[..., 8]
+    sa3 = parameters[..., 3]
+    c3 = elbow[..., 0]
+    ca2 = parameters[..., 0]
+    d3 = parameters[..., 5]
+    r2 = parameters[..., 7]
+    sa2 = parameters[..., 1]
+    s2 = shoulder[..., 1]
+
+    # terms
+    t1 = d4 * ca3 * s3 - r3 * sa3
+    t2 = sa3 * (c3 * ca2)
+    t3 = d4 * c3
+    t4 = d3 + t3
+    t5 = s3 * d3
+    t6 = sa3 * (c3 * r2) - t5
+    t7 = c2 * d4 * (d2 * t1 * t2 + t4 * t6 * sa2)
+    t8 = d4 * s2 * (t2 * (d2 * t4) - sa2 * (t1 * t6))
+    t9 = t5 + sa3 * (r3 * (ca3 * c3)) + s3 * t3 * (sa3 * sa3)
+
+    # results
+    determinant = np.empty((*_leading, 1), _real)
+    determinant[..., 0] = t7 + t8 - sa2 * (d4 * d2 * t9)
+    return determinant.reshape(_leading)
+
+
+def second_axis(parameters):
+    """coefficients of 1 and t^2 in (1 + t^2) f1, t = tan(theta3/2), which is 0 where the point is on axis 2: 2 operations.
+
+    in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+    out  polynomial[2]
+    """
+    parameters = np.asarray(parameters)
+    _leading = np.broadcast_shapes(parameters.shape[:-1])
+    _real = np.result_type(parameters, np.float32)
+
+    # inputs, sines and cosines
+    d3 = parameters[..., 5]
+    d4 = parameters[..., 6]
+
+    # terms
+
+    # results
+    polynomial = np.empty((*_leading, 2), _real)
+    polynomial[..., 0] = d3 + d4
+    polynomial[..., 1] = d3 - d4
+    return polynomial.reshape(_leading + (2,))
+
+
+def quartic_invariants(coefficients):
+    """invariants I, J of a quartic, 27 times its discriminant, and what tells four real roots from none: 53 operations.
+
+    in   coefficients[5] = (e0, e1, e2, e3, e4)
+    out  invariants[2]
+    out  discriminating[3]
+    """
+    coefficients = np.asarray(coefficients)
+    _leading = np.broadcast_shapes(coefficients.shape[:-1])
+    _real = np.result_type(coefficients, np.float32)
+
+    # inputs, sines and cosines
+    e2 = coefficients[..., 2]
+    e0 = coefficients[..., 0]
+    e4 = coefficients[..., 4]
+    e1 = coefficients[..., 1]
+    e3 = coefficients[..., 3]
+
+    # terms
+    t1 = e2 * e2
+    t2 = t1 + 12 * e0 * e4 - 3 * e1 * e3
+    t3 = e3 * (e2 * (9 * e1)) + e4 * (e2 * (72 * e0))
+    t4 = e2 * t1
+    t5 = e3 * e3
+    t6 = t3 - (t4 + t4) - 27 * e0 * t5 - 27 * e4 * (e1 * e1)
+    t7 = e4 * e4
+    t8 = 64 * e0 * (e4 * t7) + t5 * (e4 * (16 * e2))
+    t9 = t8 - 3 * (e3 * (e3 * t5)) - t7 * (16 * t1)
+
+    # results
+    invariants = np.empty((*_leading, 2), _real)
+    discriminating = np.empty((*_leading, 3), _real)
+    invariants[..., 0] = t2
+    invariants[..., 1] = t6
+    discriminating[..., 0] = 4 * (t2 * (t2 * t2)) - t6 * t6
+    discriminating[..., 1] = e4 * (8 * e2) - 3 * t5
+    discriminating[..., 2] = t9 - t7 * (e3 * (16 * e1))
+    return invariants.reshape(_leading + (2,)), discriminating.reshape(_leading + (3,))
 
 
 def triple_point(parameters, elbow):
@@ -814,7 +923,7 @@ def number_of_postures(parameters, target):
 
 
 def postures(parameters, point):
-    """two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E: 1729 operations.
+    """two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E: 2665 operations.
 
     in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
     in   point[3] = (x, y, z)
@@ -876,448 +985,663 @@ def postures(parameters, point):
     t29 = t14 * t17
     t30 = t10 * t17 + t12 * t19 - t22 * (0.5 * (sa3 * (r3 * (d4 * (-2 * ca3)))))
     t31 = t28 + np.maximum(t29, -t29) + np.maximum(t30, -t30)
-    t32 = t26 / t31
-    t33 = t27 / t31
-    t34 = np.where(t31 != 0.0, t33, 0.0)
-    t35 = t34 + np.copysign(1e-17, t34)
-    t36 = 0.5 + 0.5 * np.copysign(1, t35)
-    t37 = t29 / t31
-    t38 = t37 * t37
-    t39 = np.sqrt((t35 * t35 + np.where(t31 != 0.0, np.where(t31 != 0.0, t38, 0.0), 0.0)))
-    t40 = 0.7071067811865476 * np.sqrt(((t39 + np.maximum(t35, -t35)) / t39))
-    t41 = 1 - t36
-    t42 = np.where(t31 != 0.0, 0.5 * t37 / t40 / t39, 0.0)
-    t43 = np.where(t36 != 0.0, t40, 0.0) + np.where(t41 != 0.0, t42, 0.0)
-    t44 = t30 / t31
-    t45 = np.where(t36 != 0.0, t42, 0.0) + np.where(t41 != 0.0, t40, 0.0)
-    t46 = t32 * t43 + t44 * t45
-    t47 = np.where(t31 != 0.0, t43 * t44, 0.0) - np.where(t31 != 0.0, t32 * t45, 0.0)
-    t48 = t25 / t31
-    t49 = np.where(t31 != 0.0, np.where(t31 != 0.0, t46 * t46, 0.0), 0.0) - t47 * t47 - np.where(t31 != 0.0, t39 * t48, 0.0)
-    t50 = 0.5 + 0.5 * np.copysign(1, t49)
-    t51 = 0.5 / t39
-    t52 = t39 + t39
-    t53 = np.where(t31 != 0.0, t46, 0.0)
-    t54 = 1 - t50
-    t55 = np.where(t50 != 0.0, t53, 0.0) + np.where(t54 != 0.0, -t47, 0.0)
-    t56 = np.where(t50 != 0.0, t47, 0.0) + np.where(t54 != 0.0, -t53, 0.0)
-    t57 = t56 * t56
-    t58 = t55 * t55
-    t59 = np.where(t31 != 0.0, t48 * (t50 + t50 - 1), 0.0)
-    t60 = t57 + t58 - t52 * (t59 - t39)
-    t61 = t59 - 3 * t39
-    t62 = t39 * (t60 + t39 * (t39 + t61))
-    t63 = t39 * (t57 + t57)
-    t64 = np.minimum(t39, np.where(t62 != 0.0, t39 * t63 / t62, 0.0))
-    t65 = t61 + t61
-    t66 = t60 + t64 * (t65 + 3 * t64)
-    t67 = t64 * (t60 + t64 * (t61 + t64)) - t63
-    t68 = t64 - np.where(t66 != 0.0, t67 / t66, 0.0)
-    t69 = 0.5 + 0.5 * np.copysign(1, t67)
-    t70 = 1 - t69
-    t71 = np.where(t69 != 0.0, t64, 0.0) + np.where(t70 != 0.0, t39, 0.0)
-    t72 = np.where(t70 != 0.0, t64, 0.0)
-    t73 = np.where((t68 - np.minimum(t71, np.maximum(t68, t72))) != 0.0, 1, 0.0)
-    t74 = np.where(t73 != 0.0, 0.5 * t71 + np.where(t70 != 0.0, 0.5 * t64, 0.0), 0.0) + np.where((1 - t73) != 0.0, t68, 0.0)
-    t75 = t60 + t74 * (t65 + 3 * t74)
-    t76 = t74 * (t60 + t74 * (t61 + t74)) - t63
-    t77 = t74 - np.where(t75 != 0.0, t76 / t75, 0.0)
-    t78 = 0.5 + 0.5 * np.copysign(1, t76)
-    t79 = 1 - t78
-    t80 = np.where(t78 != 0.0, t74, 0.0) + np.where(t79 != 0.0, t71, 0.0)
-    t81 = np.where(t78 != 0.0, t72, 0.0) + np.where(t79 != 0.0, t74, 0.0)
-    t82 = np.where((t77 - np.minimum(t80, np.maximum(t77, t81))) != 0.0, 1, 0.0)
-    t83 = np.where(t82 != 0.0, 0.5 * t80 + 0.5 * t81, 0.0) + np.where((1 - t82) != 0.0, t77, 0.0)
-    t84 = t60 + t83 * (t65 + 3 * t83)
-    t85 = t83 * (t60 + t83 * (t61 + t83)) - t63
-    t86 = t83 - np.where(t84 != 0.0, t85 / t84, 0.0)
-    t87 = 0.5 + 0.5 * np.copysign(1, t85)
-    t88 = 1 - t87
-    t89 = np.where(t87 != 0.0, t83, 0.0) + np.where(t88 != 0.0, t80, 0.0)
-    t90 = np.where(t87 != 0.0, t81, 0.0) + np.where(t88 != 0.0, t83, 0.0)
-    t91 = np.where((t86 - np.minimum(t89, np.maximum(t86, t90))) != 0.0, 1, 0.0)
-    t92 = np.where(t91 != 0.0, 0.5 * t89 + 0.5 * t90, 0.0) + np.where((1 - t91) != 0.0, t86, 0.0)
-    t93 = t60 + t92 * (t65 + 3 * t92)
-    t94 = t92 * (t60 + t92 * (t61 + t92)) - t63
-    t95 = t92 - np.where(t93 != 0.0, t94 / t93, 0.0)
-    t96 = 0.5 + 0.5 * np.copysign(1, t94)
-    t97 = 1 - t96
-    t98 = np.where(t96 != 0.0, t92, 0.0) + np.where(t97 != 0.0, t89, 0.0)
-    t99 = np.where(t96 != 0.0, t90, 0.0) + np.where(t97 != 0.0, t92, 0.0)
-    t100 = np.where((t95 - np.minimum(t98, np.maximum(t95, t99))) != 0.0, 1, 0.0)
-    t101 = np.where(t100 != 0.0, 0.5 * t98 + 0.5 * t99, 0.0) + np.where((1 - t100) != 0.0, t95, 0.0)
-    t102 = t60 + t101 * (t65 + 3 * t101)
-    t103 = t101 * (t60 + t101 * (t61 + t101)) - t63
-    t104 = t101 - np.where(t102 != 0.0, t103 / t102, 0.0)
-    t105 = 0.5 + 0.5 * np.copysign(1, t103)
-    t106 = 1 - t105
-    t107 = np.where(t105 != 0.0, t101, 0.0) + np.where(t106 != 0.0, t98, 0.0)
-    t108 = np.where(t105 != 0.0, t99, 0.0) + np.where(t106 != 0.0, t101, 0.0)
-    t109 = np.where((t104 - np.minimum(t107, np.maximum(t104, t108))) != 0.0, 1, 0.0)
-    t110 = np.where(t109 != 0.0, 0.5 * t107 + 0.5 * t108, 0.0) + np.where((1 - t109) != 0.0, t104, 0.0)
-    t111 = t60 + t110 * (t65 + 3 * t110)
-    t112 = t110 * (t60 + t110 * (t61 + t110)) - t63
-    t113 = t110 - np.where(t111 != 0.0, t112 / t111, 0.0)
-    t114 = 0.5 + 0.5 * np.copysign(1, t112)
-    t115 = 1 - t114
-    t116 = np.where(t114 != 0.0, t110, 0.0) + np.where(t115 != 0.0, t107, 0.0)
-    t117 = np.where(t114 != 0.0, t108, 0.0) + np.where(t115 != 0.0, t110, 0.0)
-    t118 = np.where((t113 - np.minimum(t116, np.maximum(t113, t117))) != 0.0, 1, 0.0)
-    t119 = np.where(t118 != 0.0, 0.5 * t116 + 0.5 * t117, 0.0) + np.where((1 - t118) != 0.0, t113, 0.0)
-    t120 = t60 + t119 * (t65 + 3 * t119)
-    t121 = t119 * (t60 + t119 * (t61 + t119)) - t63
-    t122 = t119 - np.where(t120 != 0.0, t121 / t120, 0.0)
-    t123 = 0.5 + 0.5 * np.copysign(1, t121)
-    t124 = 1 - t123
-    t125 = np.where(t123 != 0.0, t119, 0.0) + np.where(t124 != 0.0, t116, 0.0)
-    t126 = np.where(t123 != 0.0, t117, 0.0) + np.where(t124 != 0.0, t119, 0.0)
-    t127 = np.where((t122 - np.minimum(t125, np.maximum(t122, t126))) != 0.0, 1, 0.0)
-    t128 = np.where(t127 != 0.0, 0.5 * t125 + 0.5 * t126, 0.0) + np.where((1 - t127) != 0.0, t122, 0.0)
-    t129 = t60 + t128 * (t65 + 3 * t128)
-    t130 = t128 * (t60 + t128 * (t61 + t128)) - t63
-    t131 = t128 - np.where(t129 != 0.0, t130 / t129, 0.0)
-    t132 = 0.5 + 0.5 * np.copysign(1, t130)
-    t133 = 1 - t132
-    t134 = np.where(t132 != 0.0, t128, 0.0) + np.where(t133 != 0.0, t125, 0.0)
-    t135 = np.where(t132 != 0.0, t126, 0.0) + np.where(t133 != 0.0, t128, 0.0)
-    t136 = np.where((t131 - np.minimum(t134, np.maximum(t131, t135))) != 0.0, 1, 0.0)
-    t137 = np.where(t136 != 0.0, 0.5 * t134 + 0.5 * t135, 0.0) + np.where((1 - t136) != 0.0, t131, 0.0)
-    t138 = t60 + t137 * (t65 + 3 * t137)
-    t139 = t137 * (t60 + t137 * (t61 + t137)) - t63
-    t140 = t137 - np.where(t138 != 0.0, t139 / t138, 0.0)
-    t141 = 0.5 + 0.5 * np.copysign(1, t139)
-    t142 = 1 - t141
-    t143 = np.where(t141 != 0.0, t137, 0.0) + np.where(t142 != 0.0, t134, 0.0)
-    t144 = np.where(t141 != 0.0, t135, 0.0) + np.where(t142 != 0.0, t137, 0.0)
-    t145 = np.where((t140 - np.minimum(t143, np.maximum(t140, t144))) != 0.0, 1, 0.0)
-    t146 = np.where(t145 != 0.0, 0.5 * t143 + 0.5 * t144, 0.0) + np.where((1 - t145) != 0.0, t140, 0.0)
-    t147 = t60 + t146 * (t65 + 3 * t146)
-    t148 = t146 * (t60 + t146 * (t61 + t146)) - t63
-    t149 = t146 - np.where(t147 != 0.0, t148 / t147, 0.0)
-    t150 = 0.5 + 0.5 * np.copysign(1, t148)
-    t151 = 1 - t150
-    t152 = np.where(t150 != 0.0, t146, 0.0) + np.where(t151 != 0.0, t143, 0.0)
-    t153 = np.where(t150 != 0.0, t144, 0.0) + np.where(t151 != 0.0, t146, 0.0)
-    t154 = np.where((t149 - np.minimum(t152, np.maximum(t149, t153))) != 0.0, 1, 0.0)
-    t155 = np.where(t154 != 0.0, 0.5 * t152 + 0.5 * t153, 0.0) + np.where((1 - t154) != 0.0, t149, 0.0)
-    t156 = t60 + t155 * (t65 + 3 * t155)
-    t157 = t155 * (t60 + t155 * (t61 + t155)) - t63
-    t158 = t155 - np.where(t156 != 0.0, t157 / t156, 0.0)
-    t159 = 0.5 + 0.5 * np.copysign(1, t157)
-    t160 = 1 - t159
-    t161 = np.where(t159 != 0.0, t155, 0.0) + np.where(t160 != 0.0, t152, 0.0)
-    t162 = np.where(t159 != 0.0, t153, 0.0) + np.where(t160 != 0.0, t155, 0.0)
-    t163 = np.where((t158 - np.minimum(t161, np.maximum(t158, t162))) != 0.0, 1, 0.0)
-    t164 = np.where(t163 != 0.0, 0.5 * t161 + 0.5 * t162, 0.0) + np.where((1 - t163) != 0.0, t158, 0.0)
-    t165 = t60 + t164 * (t65 + 3 * t164)
-    t166 = t164 * (t60 + t164 * (t61 + t164)) - t63
-    t167 = t164 - np.where(t165 != 0.0, t166 / t165, 0.0)
-    t168 = 0.5 + 0.5 * np.copysign(1, t166)
-    t169 = 1 - t168
-    t170 = np.where(t168 != 0.0, t164, 0.0) + np.where(t169 != 0.0, t161, 0.0)
-    t171 = np.where(t168 != 0.0, t162, 0.0) + np.where(t169 != 0.0, t164, 0.0)
-    t172 = np.where((t167 - np.minimum(t170, np.maximum(t167, t171))) != 0.0, 1, 0.0)
-    t173 = np.where(t172 != 0.0, 0.5 * t170 + 0.5 * t171, 0.0) + np.where((1 - t172) != 0.0, t167, 0.0)
-    t174 = t52 - t173
-    t175 = np.sqrt(t174)
-    t176 = t55 / t175
-    t177 = 0.5 + 0.5 * np.copysign(1, t173 - 1e-25)
-    t178 = np.sqrt(t173)
-    t179 = np.copysign(np.sqrt(np.maximum(0.0, t39 + t58 / t174 - t59 - t173)), t56)
-    t180 = np.where(t177 != 0.0, np.where(t178 != 0.0, t56 / t178, 0.0), 0.0) + np.where((1 - t177) != 0.0, t179, 0.0)
-    t181 = t176 + t180
-    t182 = t52 - t181 * t181
-    t183 = np.sqrt(np.maximum(0.0, t182))
-    t184 = t178 * t183
-    t185 = t175 * t181
-    t186 = t51 * (t184 - t185)
-    t187 = t178 * t181
-    t188 = t175 * t183
-    t189 = t51 * (t187 + t188)
-    t190 = np.where(t50 != 0.0, t186, 0.0) + np.where(t54 != 0.0, t189, 0.0)
-    t191 = np.where(t50 != 0.0, t189, 0.0) + np.where(t54 != 0.0, t186, 0.0)
-    t192 = t43 * t190 - t45 * t191
-    t193 = t45 * t190 + t43 * t191
-    t194 = t192 + t193
-    t195 = t192 - t193
-    t196 = np.where(t31 != 0.0, t44 * t192 + t37 * t194 * t195, 0.0) - np.where(t31 != 0.0, t32 * t193, 0.0)
-    t197 = t192 + t192
-    t198 = t196 - np.where(t31 != 0.0, t193 * (t33 * t197), 0.0)
-    t199 = t198 * t198
-    t200 = t32 + t32
-    t201 = t44 + t44
-    t202 = t48 + t192 * t200 + t193 * t201 + t195 * (t33 * t194)
-    t203 = t198 / (2e-18 + (t199 + t199)) * (t202 + t193 * (t37 * t197))
-    t204 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t203, 0.0)))
-    t205 = t192 - t193 * t204
-    t206 = t193 + t192 * t204
-    t207 = np.sqrt((t205 * t205 + t206 * t206))
-    t208 = t205 / t207
-    t209 = np.where(t207 != 0.0, t208, 0.0)
-    t210 = t206 / t207
-    t211 = t208 + t210
-    t212 = t209 - np.where(t207 != 0.0, t210, 0.0)
-    t213 = np.where(t31 != 0.0, np.where(t207 != 0.0, t44 * t208, 0.0), 0.0) + np.where(t207 != 0.0, np.where(t31 != 0.0, t37 * t211 * t212, 0.0), 0.0)
-    t214 = t208 + t208
-    t215 = t213 - np.where(t207 != 0.0, np.where(t31 != 0.0, t32 * t210, 0.0), 0.0) - np.where(t207 != 0.0, np.where(t31 != 0.0, np.where(t207 != 0.0, t210 * (t33 * t214), 0.0), 0.0), 0.0)
-    t216 = t215 * t215
-    t217 = np.where(t31 != 0.0, t48, 0.0)
-    t218 = t217 + np.where(t207 != 0.0, np.where(t31 != 0.0, t200 * t208, 0.0), 0.0) + np.where(t207 != 0.0, np.where(t31 != 0.0, t201 * t210, 0.0), 0.0)
-    t219 = t218 + np.where(t207 != 0.0, np.where(t31 != 0.0, t212 * (t33 * t211), 0.0), 0.0) + np.where(t207 != 0.0, np.where(t31 != 0.0, np.where(t207 != 0.0, t210 * (t37 * t214), 0.0), 0.0), 0.0)
-    t220 = np.maximum((-0.001), np.minimum(0.001, -(t215 / (2e-18 + (t216 + t216)) * t219)))
-    t221 = t209 - np.where(t207 != 0.0, t210 * t220, 0.0)
-    t222 = t210 + t208 * t220
-    t223 = np.sqrt((t221 * t221 + np.where(t207 != 0.0, np.where(t207 != 0.0, t222 * t222, 0.0), 0.0)))
-    t224 = t221 / t223
-    t225 = t16 * sa3
-    t226 = t222 / t223
-    t227 = t9 + np.where(t223 != 0.0, t13 * t224, 0.0) + np.where(t207 != 0.0, np.where(t223 != 0.0, t225 * t226, 0.0), 0.0)
-    t228 = t227 / t1
-    t229 = d3 + np.where(t223 != 0.0, d4 * t224, 0.0)
-    t230 = sa3 * (d4 * ca2)
-    t231 = (t11 + np.where(t207 != 0.0, np.where(t223 != 0.0, -(t226 * t230), 0.0), 0.0)) / sa2
-    t232 = d4 * ca3
-    t233 = r3 * sa3
-    t234 = np.where(t207 != 0.0, np.where(t223 != 0.0, t226 * t232, 0.0), 0.0) - t233
-    t235 = np.where(t1 != 0.0, t228 * t229, 0.0) + np.where(sa2 != 0.0, t231 * t234, 0.0)
-    t236 = np.where(sa2 != 0.0, t229 * t231, 0.0) - np.where(t1 != 0.0, t228 * t234, 0.0)
-    t237 = np.sqrt((t235 * t235 + t236 * t236))
-    t238 = t235 / t237
-    t239 = t236 / t237
-    t240 = d2 + (np.where(t237 != 0.0, t229 * t238, 0.0) - np.where(t237 != 0.0, t234 * t239, 0.0))
-    t241 = t234 * t238 + t229 * t239
-    t242 = r3 * ca3
-    t243 = r2 + (t242 + np.where(t207 != 0.0, np.where(t223 != 0.0, sa3 * (d4 * t226), 0.0), 0.0))
-    t244 = np.where(t237 != 0.0, ca2 * t241, 0.0) - sa2 * t243
-    t245 = np.arctan2((y * t240 - x * t244), x * t240 + y * t244)
-    t246 = np.where(t207 != 0.0, np.where(t223 != 0.0, t226, 0.0), 0.0)
-    t247 = np.where(t223 != 0.0, t224, 0.0)
-    t248 = -(t51 * (t184 + t185))
-    t249 = t51 * (t187 - t188)
-    t250 = np.where(t50 != 0.0, t248, 0.0) + np.where(t54 != 0.0, t249, 0.0)
-    t251 = np.where(t50 != 0.0, t249, 0.0) + np.where(t54 != 0.0, t248, 0.0)
-    t252 = t43 * t250 - t45 * t251
-    t253 = t45 * t250 + t43 * t251
-    t254 = t252 + t253
-    t255 = t252 - t253
-    t256 = np.where(t31 != 0.0, t44 * t252 + t37 * t254 * t255, 0.0) - np.where(t31 != 0.0, t32 * t253, 0.0)
-    t257 = t252 + t252
-    t258 = t256 - np.where(t31 != 0.0, t253 * (t33 * t257), 0.0)
-    t259 = t258 * t258
-    t260 = t48 + t200 * t252 + t201 * t253 + t255 * (t33 * t254)
-    t261 = t258 / (2e-18 + (t259 + t259)) * (t260 + t253 * (t37 * t257))
-    t262 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t261, 0.0)))
-    t263 = t252 - t253 * t262
-    t264 = t253 + t252 * t262
-    t265 = np.sqrt((t263 * t263 + t264 * t264))
-    t266 = t263 / t265
-    t267 = np.where(t265 != 0.0, t266, 0.0)
-    t268 = t264 / t265
-    t269 = t266 + t268
-    t270 = t267 - np.where(t265 != 0.0, t268, 0.0)
-    t271 = np.where(t31 != 0.0, np.where(t265 != 0.0, t44 * t266, 0.0), 0.0) + np.where(t265 != 0.0, np.where(t31 != 0.0, t37 * t269 * t270, 0.0), 0.0)
-    t272 = t266 + t266
-    t273 = t271 - np.where(t265 != 0.0, np.where(t31 != 0.0, t32 * t268, 0.0), 0.0) - np.where(t265 != 0.0, np.where(t31 != 0.0, np.where(t265 != 0.0, t268 * (t33 * t272), 0.0), 0.0), 0.0)
-    t274 = t273 * t273
-    t275 = t217 + np.where(t265 != 0.0, np.where(t31 != 0.0, t200 * t266, 0.0), 0.0) + np.where(t265 != 0.0, np.where(t31 != 0.0, t201 * t268, 0.0), 0.0)
-    t276 = t275 + np.where(t265 != 0.0, np.where(t31 != 0.0, t270 * (t33 * t269), 0.0), 0.0) + np.where(t265 != 0.0, np.where(t31 != 0.0, np.where(t265 != 0.0, t268 * (t37 * t272), 0.0), 0.0), 0.0)
-    t277 = np.maximum((-0.001), np.minimum(0.001, -(t273 / (2e-18 + (t274 + t274)) * t276)))
-    t278 = t267 - np.where(t265 != 0.0, t268 * t277, 0.0)
-    t279 = t268 + t266 * t277
-    t280 = np.sqrt((t278 * t278 + np.where(t265 != 0.0, np.where(t265 != 0.0, t279 * t279, 0.0), 0.0)))
-    t281 = t278 / t280
-    t282 = t279 / t280
-    t283 = t9 + np.where(t280 != 0.0, t13 * t281, 0.0) + np.where(t265 != 0.0, np.where(t280 != 0.0, t225 * t282, 0.0), 0.0)
-    t284 = t283 / t1
-    t285 = d3 + np.where(t280 != 0.0, d4 * t281, 0.0)
-    t286 = (t11 + np.where(t265 != 0.0, np.where(t280 != 0.0, -(t230 * t282), 0.0), 0.0)) / sa2
-    t287 = np.where(t265 != 0.0, np.where(t280 != 0.0, t232 * t282, 0.0), 0.0) - t233
-    t288 = np.where(t1 != 0.0, t284 * t285, 0.0) + np.where(sa2 != 0.0, t286 * t287, 0.0)
-    t289 = np.where(sa2 != 0.0, t285 * t286, 0.0) - np.where(t1 != 0.0, t284 * t287, 0.0)
-    t290 = np.sqrt((t288 * t288 + t289 * t289))
-    t291 = t288 / t290
-    t292 = t289 / t290
-    t293 = d2 + (np.where(t290 != 0.0, t285 * t291, 0.0) - np.where(t290 != 0.0, t287 * t292, 0.0))
-    t294 = t287 * t291 + t285 * t292
-    t295 = r2 + (t242 + np.where(t265 != 0.0, np.where(t280 != 0.0, sa3 * (d4 * t282), 0.0), 0.0))
-    t296 = np.where(t290 != 0.0, ca2 * t294, 0.0) - sa2 * t295
-    t297 = np.arctan2((y * t293 - x * t296), x * t293 + y * t296)
-    t298 = np.where(t265 != 0.0, np.where(t280 != 0.0, t282, 0.0), 0.0)
-    t299 = np.where(t280 != 0.0, t281, 0.0)
-    t300 = t176 - t180
-    t301 = t175 * t300
-    t302 = t52 - t300 * t300
-    t303 = np.sqrt(np.maximum(0.0, t302))
-    t304 = t178 * t303
-    t305 = -(t51 * (t301 + t304))
-    t306 = t175 * t303
-    t307 = t178 * t300
-    t308 = t51 * (t306 - t307)
-    t309 = np.where(t50 != 0.0, t305, 0.0) + np.where(t54 != 0.0, t308, 0.0)
-    t310 = np.where(t50 != 0.0, t308, 0.0) + np.where(t54 != 0.0, t305, 0.0)
-    t311 = t43 * t309 - t45 * t310
-    t312 = t45 * t309 + t43 * t310
-    t313 = t311 + t312
-    t314 = t311 - t312
-    t315 = np.where(t31 != 0.0, t44 * t311 + t37 * t313 * t314, 0.0) - np.where(t31 != 0.0, t32 * t312, 0.0)
-    t316 = t311 + t311
-    t317 = t315 - np.where(t31 != 0.0, t312 * (t33 * t316), 0.0)
-    t318 = t317 * t317
-    t319 = t48 + t200 * t311 + t201 * t312 + t314 * (t33 * t313)
-    t320 = t317 / (2e-18 + (t318 + t318)) * (t319 + t312 * (t37 * t316))
-    t321 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t320, 0.0)))
-    t322 = t311 - t312 * t321
-    t323 = t312 + t311 * t321
-    t324 = np.sqrt((t322 * t322 + t323 * t323))
-    t325 = t322 / t324
-    t326 = np.where(t324 != 0.0, t325, 0.0)
-    t327 = t323 / t324
-    t328 = t325 + t327
-    t329 = t326 - np.where(t324 != 0.0, t327, 0.0)
-    t330 = np.where(t31 != 0.0, np.where(t324 != 0.0, t44 * t325, 0.0), 0.0) + np.where(t324 != 0.0, np.where(t31 != 0.0, t37 * t328 * t329, 0.0), 0.0)
-    t331 = t325 + t325
-    t332 = t330 - np.where(t324 != 0.0, np.where(t31 != 0.0, t32 * t327, 0.0), 0.0) - np.where(t324 != 0.0, np.where(t31 != 0.0, np.where(t324 != 0.0, t327 * (t33 * t331), 0.0), 0.0), 0.0)
-    t333 = t332 * t332
-    t334 = t217 + np.where(t324 != 0.0, np.where(t31 != 0.0, t200 * t325, 0.0), 0.0) + np.where(t324 != 0.0, np.where(t31 != 0.0, t201 * t327, 0.0), 0.0)
-    t335 = t334 + np.where(t324 != 0.0, np.where(t31 != 0.0, t329 * (t33 * t328), 0.0), 0.0) + np.where(t324 != 0.0, np.where(t31 != 0.0, np.where(t324 != 0.0, t327 * (t37 * t331), 0.0), 0.0), 0.0)
-    t336 = np.maximum((-0.001), np.minimum(0.001, -(t332 / (2e-18 + (t333 + t333)) * t335)))
-    t337 = t326 - np.where(t324 != 0.0, t327 * t336, 0.0)
-    t338 = t327 + t325 * t336
-    t339 = np.sqrt((t337 * t337 + np.where(t324 != 0.0, np.where(t324 != 0.0, t338 * t338, 0.0), 0.0)))
-    t340 = t337 / t339
-    t341 = t338 / t339
-    t342 = t9 + np.where(t339 != 0.0, t13 * t340, 0.0) + np.where(t324 != 0.0, np.where(t339 != 0.0, t225 * t341, 0.0), 0.0)
-    t343 = t342 / t1
-    t344 = d3 + np.where(t339 != 0.0, d4 * t340, 0.0)
-    t345 = (t11 + np.where(t324 != 0.0, np.where(t339 != 0.0, -(t230 * t341), 0.0), 0.0)) / sa2
-    t346 = np.where(t324 != 0.0, np.where(t339 != 0.0, t232 * t341, 0.0), 0.0) - t233
-    t347 = np.where(t1 != 0.0, t343 * t344, 0.0) + np.where(sa2 != 0.0, t345 * t346, 0.0)
-    t348 = np.where(sa2 != 0.0, t344 * t345, 0.0) - np.where(t1 != 0.0, t343 * t346, 0.0)
-    t349 = np.sqrt((t347 * t347 + t348 * t348))
-    t350 = t347 / t349
-    t351 = t348 / t349
-    t352 = d2 + (np.where(t349 != 0.0, t344 * t350, 0.0) - np.where(t349 != 0.0, t346 * t351, 0.0))
-    t353 = t346 * t350 + t344 * t351
-    t354 = r2 + (t242 + np.where(t324 != 0.0, np.where(t339 != 0.0, sa3 * (d4 * t341), 0.0), 0.0))
-    t355 = np.where(t349 != 0.0, ca2 * t353, 0.0) - sa2 * t354
-    t356 = np.arctan2((y * t352 - x * t355), x * t352 + y * t355)
-    t357 = np.where(t324 != 0.0, np.where(t339 != 0.0, t341, 0.0), 0.0)
-    t358 = np.where(t339 != 0.0, t340, 0.0)
-    t359 = t51 * (t304 - t301)
-    t360 = -(t51 * (t306 + t307))
-    t361 = np.where(t50 != 0.0, t359, 0.0) + np.where(t54 != 0.0, t360, 0.0)
-    t362 = np.where(t50 != 0.0, t360, 0.0) + np.where(t54 != 0.0, t359, 0.0)
-    t363 = t43 * t361 - t45 * t362
-    t364 = t45 * t361 + t43 * t362
-    t365 = t363 + t364
-    t366 = t363 - t364
-    t367 = np.where(t31 != 0.0, t44 * t363 + t37 * t365 * t366, 0.0) - np.where(t31 != 0.0, t32 * t364, 0.0)
-    t368 = t363 + t363
-    t369 = t367 - np.where(t31 != 0.0, t364 * (t33 * t368), 0.0)
-    t370 = t369 * t369
-    t371 = t48 + t200 * t363 + t201 * t364 + t366 * (t33 * t365)
-    t372 = t369 / (2e-18 + (t370 + t370)) * (t371 + t364 * (t37 * t368))
-    t373 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t372, 0.0)))
-    t374 = t363 - t364 * t373
-    t375 = t364 + t363 * t373
-    t376 = np.sqrt((t374 * t374 + t375 * t375))
-    t377 = t374 / t376
-    t378 = np.where(t376 != 0.0, t377, 0.0)
-    t379 = t375 / t376
-    t380 = t377 + t379
-    t381 = t378 - np.where(t376 != 0.0, t379, 0.0)
-    t382 = np.where(t31 != 0.0, np.where(t376 != 0.0, t44 * t377, 0.0), 0.0) + np.where(t376 != 0.0, np.where(t31 != 0.0, t37 * t380 * t381, 0.0), 0.0)
-    t383 = t377 + t377
-    t384 = t382 - np.where(t376 != 0.0, np.where(t31 != 0.0, t32 * t379, 0.0), 0.0) - np.where(t376 != 0.0, np.where(t31 != 0.0, np.where(t376 != 0.0, t379 * (t33 * t383), 0.0), 0.0), 0.0)
-    t385 = t384 * t384
-    t386 = t217 + np.where(t376 != 0.0, np.where(t31 != 0.0, t200 * t377, 0.0), 0.0) + np.where(t376 != 0.0, np.where(t31 != 0.0, t201 * t379, 0.0), 0.0)
-    t387 = t386 + np.where(t376 != 0.0, np.where(t31 != 0.0, t381 * (t33 * t380), 0.0), 0.0) + np.where(t376 != 0.0, np.where(t31 != 0.0, np.where(t376 != 0.0, t379 * (t37 * t383), 0.0), 0.0), 0.0)
-    t388 = np.maximum((-0.001), np.minimum(0.001, -(t384 / (2e-18 + (t385 + t385)) * t387)))
-    t389 = t378 - np.where(t376 != 0.0, t379 * t388, 0.0)
-    t390 = t379 + t377 * t388
-    t391 = np.sqrt((t389 * t389 + np.where(t376 != 0.0, np.where(t376 != 0.0, t390 * t390, 0.0), 0.0)))
-    t392 = t389 / t391
-    t393 = t390 / t391
-    t394 = t9 + np.where(t391 != 0.0, t13 * t392, 0.0) + np.where(t376 != 0.0, np.where(t391 != 0.0, t225 * t393, 0.0), 0.0)
-    t395 = t394 / t1
-    t396 = d3 + np.where(t391 != 0.0, d4 * t392, 0.0)
-    t397 = (t11 + np.where(t376 != 0.0, np.where(t391 != 0.0, -(t230 * t393), 0.0), 0.0)) / sa2
-    t398 = np.where(t376 != 0.0, np.where(t391 != 0.0, t232 * t393, 0.0), 0.0) - t233
-    t399 = np.where(t1 != 0.0, t395 * t396, 0.0) + np.where(sa2 != 0.0, t397 * t398, 0.0)
-    t400 = np.where(sa2 != 0.0, t396 * t397, 0.0) - np.where(t1 != 0.0, t395 * t398, 0.0)
-    t401 = np.sqrt((t399 * t399 + t400 * t400))
-    t402 = t399 / t401
-    t403 = t400 / t401
-    t404 = d2 + (np.where(t401 != 0.0, t396 * t402, 0.0) - np.where(t401 != 0.0, t398 * t403, 0.0))
-    t405 = t398 * t402 + t396 * t403
-    t406 = r2 + (t242 + np.where(t376 != 0.0, np.where(t391 != 0.0, sa3 * (d4 * t393), 0.0), 0.0))
-    t407 = np.where(t401 != 0.0, ca2 * t405, 0.0) - sa2 * t406
-    t408 = np.arctan2((y * t404 - x * t407), x * t404 + y * t407)
-    t409 = np.where(t376 != 0.0, np.where(t391 != 0.0, t393, 0.0), 0.0)
-    t410 = np.where(t391 != 0.0, t392, 0.0)
-    t411 = np.sqrt(t2)
-    t412 = np.sqrt((t240 * t240 + t244 * t244)) - t411
-    t413 = np.where(t237 != 0.0, sa2 * t241, 0.0) + ca2 * t243 - z
-    t414 = np.sqrt((t293 * t293 + t296 * t296)) - t411
-    t415 = np.where(t290 != 0.0, sa2 * t294, 0.0) + ca2 * t295 - z
-    t416 = np.sqrt((t352 * t352 + t355 * t355)) - t411
-    t417 = np.where(t349 != 0.0, sa2 * t353, 0.0) + ca2 * t354 - z
-    t418 = np.sqrt((t404 * t404 + t407 * t407)) - t411
-    t419 = np.where(t401 != 0.0, sa2 * t405, 0.0) + ca2 * t406 - z
-    t420 = np.where(t223 != 0.0, t44 * t224, 0.0) + t37 * (t246 + t247) * (t247 - t246)
-    t421 = np.where(t207 != 0.0, np.where(t223 != 0.0, np.where(t31 != 0.0, np.where(t223 != 0.0, t226 * (t33 * (t224 + t224)), 0.0), 0.0), 0.0), 0.0)
-    t422 = np.where(t31 != 0.0, t420, 0.0) - np.where(t207 != 0.0, np.where(t223 != 0.0, np.where(t31 != 0.0, t32 * t226, 0.0), 0.0), 0.0) - t421
-    t423 = np.where(t280 != 0.0, t44 * t281, 0.0) + t37 * (t298 + t299) * (t299 - t298)
-    t424 = np.where(t265 != 0.0, np.where(t280 != 0.0, np.where(t31 != 0.0, np.where(t280 != 0.0, t282 * (t33 * (t281 + t281)), 0.0), 0.0), 0.0), 0.0)
-    t425 = np.where(t31 != 0.0, t423, 0.0) - np.where(t265 != 0.0, np.where(t280 != 0.0, np.where(t31 != 0.0, t32 * t282, 0.0), 0.0), 0.0) - t424
-    t426 = np.where(t339 != 0.0, t44 * t340, 0.0) + t37 * (t357 + t358) * (t358 - t357)
-    t427 = np.where(t324 != 0.0, np.where(t339 != 0.0, np.where(t31 != 0.0, np.where(t339 != 0.0, t341 * (t33 * (t340 + t340)), 0.0), 0.0), 0.0), 0.0)
-    t428 = np.where(t31 != 0.0, t426, 0.0) - np.where(t324 != 0.0, np.where(t339 != 0.0, np.where(t31 != 0.0, t32 * t341, 0.0), 0.0), 0.0) - t427
-    t429 = np.where(t391 != 0.0, t44 * t392, 0.0) + t37 * (t409 + t410) * (t410 - t409)
-    t430 = np.where(t376 != 0.0, np.where(t391 != 0.0, np.where(t31 != 0.0, np.where(t391 != 0.0, t393 * (t33 * (t392 + t392)), 0.0), 0.0), 0.0), 0.0)
-    t431 = np.where(t31 != 0.0, t429, 0.0) - np.where(t376 != 0.0, np.where(t391 != 0.0, np.where(t31 != 0.0, t32 * t393, 0.0), 0.0), 0.0) - t430
-    t432 = t48 * t48
-    t433 = t38 + t33 * t33
-    t434 = t32 * t32
-    t435 = t44 * t44
-    t436 = t434 + t435
-    t437 = np.where(t31 != 0.0, np.where(t31 != 0.0, t432 + 3 * t433, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 3 * t436, 0.0), 0.0)
-    t438 = t437 * t437
-    t439 = t33 * (np.where(t31 != 0.0, np.where(t31 != 0.0, t434, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, t435, 0.0), 0.0)) + np.where(t31 != 0.0, np.where(t31 != 0.0, t44 * (t37 * t200), 0.0), 0.0)
-    t440 = np.where(t31 != 0.0, np.where(t31 != 0.0, t432 + t432, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 18 * t433, 0.0), 0.0)
-    t441 = 27 * t439 + t48 * (t440 - np.where(t31 != 0.0, np.where(t31 != 0.0, 9 * t436, 0.0), 0.0))
-    t442 = 4 * t437 * t438 - np.where(t31 != 0.0, np.where(t31 != 0.0, t441 * t441, 0.0), 0.0)
-    t443 = 0.5 + 0.5 * np.copysign(1, t442)
-    t444 = np.maximum(d2, -d2)
-    t445 = np.maximum(ca2, -ca2)
-    t446 = t445 + t445
-    t447 = t444 * t446
-    t448 = np.maximum(r2, -r2)
-    t449 = np.maximum(ca3, -ca3)
-    t450 = np.maximum(r3, -r3)
-    t451 = (t444 + t444) * np.maximum(z, -z) + t447 * t448 + t444 * (t446 * t449) * t450
-    t452 = np.maximum(d4, -d4)
-    t453 = np.maximum(sa3, -sa3)
-    t454 = t451 + t447 * t452 * t453
-    t455 = np.maximum(sa2, -sa2)
-    t456 = t4 * t455 + t5 * t455 + t6 * t455 + t7 * t455
-    t457 = t456 + t8 * t455 + t3 * t455 + t455 * np.maximum(t2, -t2)
-    t458 = np.maximum(d3, -d3)
-    t459 = t457 + t455 * (t452 * (t458 + t458)) + t455 * (t450 * (t448 * (t449 + t449)))
-    t460 = t459 + t453 * (t455 * (t448 * (t452 + t452)))
-    t461 = t449 * t452 + t450 * t453
-    t462 = t452 + t458
-    t463 = t454 * t454 + t460 * t460 + t22 * (t461 * t461 + t462 * t462)
-    t464 = 3.552713678800501e-15 / t31 * t463
-    t465 = -0.3333333333333333 * t437
-    t466 = np.where(t31 != 0.0, np.where(t31 != 0.0, t433 + t436, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 0.5555555555555556 * t432, 0.0), 0.0)
-    t467 = 1.3333333333333333 * t48
-    t468 = t465 * t465 + 3 * (t466 * t466) + np.where(t31 != 0.0, np.where(t31 != 0.0, t465 * (t467 * t467), 0.0), 0.0)
-    t469 = t468 + np.where(t31 != 0.0, np.where(t31 != 0.0, t467 * (0.1111111111111111 * t441), 0.0), 0.0) - t466 * (-1.3333333333333333 * t437)
-    t470 = 0.016666666666666666 / np.where(t31 != 0.0, t464, 0.0) * np.minimum(t469, 3 * (3 * t466 - -0.6666666666666666 * t437))
-    t471 = np.where(t31 != 0.0, t441, 0.0)
-    t472 = 72 * t438 + 120 * np.maximum(t471, -t471) + np.where(t31 != 0.0, 5000 * t464, 0.0)
-    t473 = np.maximum(t442, -t442) / np.where(t31 != 0.0, t464 * t472, 0.0)
+    t32 = t27 / t31
+    t33 = np.where(t31 != 0.0, t32, 0.0)
+    t34 = t33 + np.copysign(1e-17, t33)
+    t35 = t29 / t31
+    t36 = t35 * t35
+    t37 = np.sqrt((t34 * t34 + np.where(t31 != 0.0, np.where(t31 != 0.0, t36, 0.0), 0.0)))
+    t38 = 0.5 / t37
+    t39 = t37 + t37
+    t40 = t26 / t31
+    t41 = 0.5 + 0.5 * np.copysign(1, t34)
+    t42 = 0.7071067811865476 * np.sqrt(((t37 + np.maximum(t34, -t34)) / t37))
+    t43 = 0.5 * t35 / t42 / t37
+    t44 = 1 - t41
+    t45 = t41 * t42 + np.where(t31 != 0.0, t43 * t44, 0.0)
+    t46 = t30 / t31
+    t47 = np.where(t31 != 0.0, t41 * t43, 0.0) + t42 * t44
+    t48 = t40 * t45 + t46 * t47
+    t49 = np.where(t31 != 0.0, t45 * t46, 0.0) - np.where(t31 != 0.0, t40 * t47, 0.0)
+    t50 = t25 / t31
+    t51 = np.where(t31 != 0.0, np.where(t31 != 0.0, t48 * t48, 0.0), 0.0) - t49 * t49 - np.where(t31 != 0.0, t37 * t50, 0.0)
+    t52 = 0.5 + 0.5 * np.copysign(1, t51)
+    t53 = 1 - t52
+    t54 = np.where(t31 != 0.0, t48 * t52, 0.0) - t49 * t53
+    t55 = t49 * t52 - np.where(t31 != 0.0, t48 * t53, 0.0)
+    t56 = t55 * t55
+    t57 = t54 * t54
+    t58 = np.where(t31 != 0.0, t50 * (t52 + t52 - 1), 0.0)
+    t59 = t56 + t57 - t39 * (t58 - t37)
+    t60 = t58 - 3 * t37
+    t61 = t37 * (t59 + t37 * (t37 + t60))
+    t62 = t37 * (t56 + t56)
+    t63 = np.minimum(t37, np.where(t61 != 0.0, t37 * t62 / t61, 0.0))
+    t64 = t60 + t60
+    t65 = t59 + t63 * (t64 + 3 * t63)
+    t66 = t63 * (t59 + t63 * (t60 + t63)) - t62
+    t67 = t63 - np.where(t65 != 0.0, t66 / t65, 0.0)
+    t68 = 0.5 + 0.5 * np.copysign(1, t66)
+    t69 = 1 - t68
+    t70 = t63 * t68 + t37 * t69
+    t71 = t63 * t69
+    t72 = t67 - np.minimum(t70, np.maximum(t67, t71))
+    t73 = t67 * (1 - np.where(t72 != 0.0, 1, 0.0)) + np.where(t72 != 0.0, 0.5 * t70 + 0.5 * t71, 0.0)
+    t74 = t59 + t73 * (t64 + 3 * t73)
+    t75 = t73 * (t59 + t73 * (t60 + t73)) - t62
+    t76 = t73 - np.where(t74 != 0.0, t75 / t74, 0.0)
+    t77 = 0.5 + 0.5 * np.copysign(1, t75)
+    t78 = 1 - t77
+    t79 = t73 * t77 + t70 * t78
+    t80 = t71 * t77 + t73 * t78
+    t81 = t76 - np.minimum(t79, np.maximum(t76, t80))
+    t82 = t76 * (1 - np.where(t81 != 0.0, 1, 0.0)) + np.where(t81 != 0.0, 0.5 * t79 + 0.5 * t80, 0.0)
+    t83 = t59 + t82 * (t64 + 3 * t82)
+    t84 = t82 * (t59 + t82 * (t60 + t82)) - t62
+    t85 = t82 - np.where(t83 != 0.0, t84 / t83, 0.0)
+    t86 = 0.5 + 0.5 * np.copysign(1, t84)
+    t87 = 1 - t86
+    t88 = t82 * t86 + t79 * t87
+    t89 = t80 * t86 + t82 * t87
+    t90 = t85 - np.minimum(t88, np.maximum(t85, t89))
+    t91 = t85 * (1 - np.where(t90 != 0.0, 1, 0.0)) + np.where(t90 != 0.0, 0.5 * t88 + 0.5 * t89, 0.0)
+    t92 = t59 + t91 * (t64 + 3 * t91)
+    t93 = t91 * (t59 + t91 * (t60 + t91)) - t62
+    t94 = t91 - np.where(t92 != 0.0, t93 / t92, 0.0)
+    t95 = 0.5 + 0.5 * np.copysign(1, t93)
+    t96 = 1 - t95
+    t97 = t91 * t95 + t88 * t96
+    t98 = t89 * t95 + t91 * t96
+    t99 = t94 - np.minimum(t97, np.maximum(t94, t98))
+    t100 = t94 * (1 - np.where(t99 != 0.0, 1, 0.0)) + np.where(t99 != 0.0, 0.5 * t97 + 0.5 * t98, 0.0)
+    t101 = t59 + t100 * (t64 + 3 * t100)
+    t102 = t100 * (t59 + t100 * (t60 + t100)) - t62
+    t103 = t100 - np.where(t101 != 0.0, t102 / t101, 0.0)
+    t104 = 0.5 + 0.5 * np.copysign(1, t102)
+    t105 = 1 - t104
+    t106 = t100 * t104 + t97 * t105
+    t107 = t98 * t104 + t100 * t105
+    t108 = t103 - np.minimum(t106, np.maximum(t103, t107))
+    t109 = t103 * (1 - np.where(t108 != 0.0, 1, 0.0)) + np.where(t108 != 0.0, 0.5 * t106 + 0.5 * t107, 0.0)
+    t110 = t59 + t109 * (t64 + 3 * t109)
+    t111 = t109 * (t59 + t109 * (t60 + t109)) - t62
+    t112 = t109 - np.where(t110 != 0.0, t111 / t110, 0.0)
+    t113 = 0.5 + 0.5 * np.copysign(1, t111)
+    t114 = 1 - t113
+    t115 = t109 * t113 + t106 * t114
+    t116 = t107 * t113 + t109 * t114
+    t117 = t112 - np.minimum(t115, np.maximum(t112, t116))
+    t118 = t112 * (1 - np.where(t117 != 0.0, 1, 0.0)) + np.where(t117 != 0.0, 0.5 * t115 + 0.5 * t116, 0.0)
+    t119 = t59 + t118 * (t64 + 3 * t118)
+    t120 = t118 * (t59 + t118 * (t60 + t118)) - t62
+    t121 = t118 - np.where(t119 != 0.0, t120 / t119, 0.0)
+    t122 = 0.5 + 0.5 * np.copysign(1, t120)
+    t123 = 1 - t122
+    t124 = t118 * t122 + t115 * t123
+    t125 = t116 * t122 + t118 * t123
+    t126 = t121 - np.minimum(t124, np.maximum(t121, t125))
+    t127 = t121 * (1 - np.where(t126 != 0.0, 1, 0.0)) + np.where(t126 != 0.0, 0.5 * t124 + 0.5 * t125, 0.0)
+    t128 = t59 + t127 * (t64 + 3 * t127)
+    t129 = t127 * (t59 + t127 * (t60 + t127)) - t62
+    t130 = t127 - np.where(t128 != 0.0, t129 / t128, 0.0)
+    t131 = 0.5 + 0.5 * np.copysign(1, t129)
+    t132 = 1 - t131
+    t133 = t127 * t131 + t124 * t132
+    t134 = t125 * t131 + t127 * t132
+    t135 = t130 - np.minimum(t133, np.maximum(t130, t134))
+    t136 = t130 * (1 - np.where(t135 != 0.0, 1, 0.0)) + np.where(t135 != 0.0, 0.5 * t133 + 0.5 * t134, 0.0)
+    t137 = t59 + t136 * (t64 + 3 * t136)
+    t138 = t136 * (t59 + t136 * (t60 + t136)) - t62
+    t139 = t136 - np.where(t137 != 0.0, t138 / t137, 0.0)
+    t140 = 0.5 + 0.5 * np.copysign(1, t138)
+    t141 = 1 - t140
+    t142 = t136 * t140 + t133 * t141
+    t143 = t134 * t140 + t136 * t141
+    t144 = t139 - np.minimum(t142, np.maximum(t139, t143))
+    t145 = t139 * (1 - np.where(t144 != 0.0, 1, 0.0)) + np.where(t144 != 0.0, 0.5 * t142 + 0.5 * t143, 0.0)
+    t146 = t59 + t145 * (t64 + 3 * t145)
+    t147 = t145 * (t59 + t145 * (t60 + t145)) - t62
+    t148 = t145 - np.where(t146 != 0.0, t147 / t146, 0.0)
+    t149 = 0.5 + 0.5 * np.copysign(1, t147)
+    t150 = 1 - t149
+    t151 = t145 * t149 + t142 * t150
+    t152 = t143 * t149 + t145 * t150
+    t153 = t148 - np.minimum(t151, np.maximum(t148, t152))
+    t154 = t148 * (1 - np.where(t153 != 0.0, 1, 0.0)) + np.where(t153 != 0.0, 0.5 * t151 + 0.5 * t152, 0.0)
+    t155 = t59 + t154 * (t64 + 3 * t154)
+    t156 = t154 * (t59 + t154 * (t60 + t154)) - t62
+    t157 = t154 - np.where(t155 != 0.0, t156 / t155, 0.0)
+    t158 = 0.5 + 0.5 * np.copysign(1, t156)
+    t159 = 1 - t158
+    t160 = t154 * t158 + t151 * t159
+    t161 = t152 * t158 + t154 * t159
+    t162 = t157 - np.minimum(t160, np.maximum(t157, t161))
+    t163 = t157 * (1 - np.where(t162 != 0.0, 1, 0.0)) + np.where(t162 != 0.0, 0.5 * t160 + 0.5 * t161, 0.0)
+    t164 = t59 + t163 * (t64 + 3 * t163)
+    t165 = t163 * (t59 + t163 * (t60 + t163)) - t62
+    t166 = t163 - np.where(t164 != 0.0, t165 / t164, 0.0)
+    t167 = 0.5 + 0.5 * np.copysign(1, t165)
+    t168 = 1 - t167
+    t169 = t163 * t167 + t160 * t168
+    t170 = t161 * t167 + t163 * t168
+    t171 = t166 - np.minimum(t169, np.maximum(t166, t170))
+    t172 = t166 * (1 - np.where(t171 != 0.0, 1, 0.0)) + np.where(t171 != 0.0, 0.5 * t169 + 0.5 * t170, 0.0)
+    t173 = t39 - t172
+    t174 = np.sqrt(t173)
+    t175 = t54 / t174
+    t176 = 0.5 + 0.5 * np.copysign(1, t172 - 1e-25)
+    t177 = np.copysign(np.sqrt(np.maximum(0.0, t37 + t57 / t173 - t58 - t172)), t55)
+    t178 = np.sqrt(t172)
+    t179 = (1 - t176) * t177 + np.where(t178 != 0.0, t55 * t176 / t178, 0.0)
+    t180 = t175 + t179
+    t181 = t39 - t180 * t180
+    t182 = np.sqrt(np.maximum(0.0, t181))
+    t183 = t178 * t182
+    t184 = t174 * t180
+    t185 = t38 * (t183 - t184)
+    t186 = t178 * t180
+    t187 = t174 * t182
+    t188 = t38 * (t186 + t187)
+    t189 = t52 * t185 + t53 * t188
+    t190 = t53 * t185 + t52 * t188
+    t191 = t45 * t189 - t47 * t190
+    t192 = t47 * t189 + t45 * t190
+    t193 = t191 + t192
+    t194 = t191 - t192
+    t195 = np.where(t31 != 0.0, t46 * t191 + t35 * t193 * t194, 0.0) - np.where(t31 != 0.0, t40 * t192, 0.0)
+    t196 = t191 + t191
+    t197 = t195 - np.where(t31 != 0.0, t192 * (t32 * t196), 0.0)
+    t198 = t197 * t197
+    t199 = t40 + t40
+    t200 = t46 + t46
+    t201 = t50 + t191 * t199 + t192 * t200 + t194 * (t32 * t193)
+    t202 = t197 / (2e-18 + (t198 + t198)) * (t201 + t192 * (t35 * t196))
+    t203 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t202, 0.0)))
+    t204 = t191 - t192 * t203
+    t205 = t192 + t191 * t203
+    t206 = np.sqrt((t204 * t204 + t205 * t205))
+    t207 = t204 / t206
+    t208 = np.where(t206 != 0.0, t207, 0.0)
+    t209 = t205 / t206
+    t210 = t207 + t209
+    t211 = t208 - np.where(t206 != 0.0, t209, 0.0)
+    t212 = np.where(t31 != 0.0, np.where(t206 != 0.0, t46 * t207, 0.0), 0.0) + np.where(t206 != 0.0, np.where(t31 != 0.0, t35 * t210 * t211, 0.0), 0.0)
+    t213 = t207 + t207
+    t214 = t212 - np.where(t206 != 0.0, np.where(t31 != 0.0, t40 * t209, 0.0), 0.0) - np.where(t206 != 0.0, np.where(t31 != 0.0, np.where(t206 != 0.0, t209 * (t32 * t213), 0.0), 0.0), 0.0)
+    t215 = t214 * t214
+    t216 = np.where(t31 != 0.0, t50, 0.0)
+    t217 = t216 + np.where(t206 != 0.0, np.where(t31 != 0.0, t199 * t207, 0.0), 0.0) + np.where(t206 != 0.0, np.where(t31 != 0.0, t200 * t209, 0.0), 0.0)
+    t218 = t217 + np.where(t206 != 0.0, np.where(t31 != 0.0, t211 * (t32 * t210), 0.0), 0.0) + np.where(t206 != 0.0, np.where(t31 != 0.0, np.where(t206 != 0.0, t209 * (t35 * t213), 0.0), 0.0), 0.0)
+    t219 = np.maximum((-0.001), np.minimum(0.001, -(t214 / (2e-18 + (t215 + t215)) * t218)))
+    t220 = t208 - np.where(t206 != 0.0, t209 * t219, 0.0)
+    t221 = t209 + t207 * t219
+    t222 = np.sqrt((t220 * t220 + np.where(t206 != 0.0, np.where(t206 != 0.0, t221 * t221, 0.0), 0.0)))
+    t223 = t220 / t222
+    t224 = t16 * sa3
+    t225 = t221 / t222
+    t226 = t9 + np.where(t222 != 0.0, t13 * t223, 0.0) + np.where(t206 != 0.0, np.where(t222 != 0.0, t224 * t225, 0.0), 0.0)
+    t227 = t226 / t1
+    t228 = d3 + np.where(t222 != 0.0, d4 * t223, 0.0)
+    t229 = sa3 * (d4 * ca2)
+    t230 = (t11 + np.where(t206 != 0.0, np.where(t222 != 0.0, -(t225 * t229), 0.0), 0.0)) / sa2
+    t231 = d4 * ca3
+    t232 = r3 * sa3
+    t233 = np.where(t206 != 0.0, np.where(t222 != 0.0, t225 * t231, 0.0), 0.0) - t232
+    t234 = np.where(t1 != 0.0, t227 * t228, 0.0) + np.where(sa2 != 0.0, t230 * t233, 0.0)
+    t235 = np.where(sa2 != 0.0, t228 * t230, 0.0) - np.where(t1 != 0.0, t227 * t233, 0.0)
+    t236 = np.sqrt((t234 * t234 + t235 * t235))
+    t237 = t234 / t236
+    t238 = t235 / t236
+    t239 = d2 + (np.where(t236 != 0.0, t228 * t237, 0.0) - np.where(t236 != 0.0, t233 * t238, 0.0))
+    t240 = t233 * t237 + t228 * t238
+    t241 = r3 * ca3
+    t242 = r2 + (t241 + np.where(t206 != 0.0, np.where(t222 != 0.0, sa3 * (d4 * t225), 0.0), 0.0))
+    t243 = np.where(t236 != 0.0, ca2 * t240, 0.0) - sa2 * t242
+    t244 = x * t239 + y * t243
+    t245 = y * t239 - x * t243
+    t246 = -t244
+    t247 = np.maximum(t244, t246)
+    t248 = np.maximum(t245, -t245)
+    t249 = np.sqrt((t244 * t244 + t245 * t245)) + np.maximum(t247, t248)
+    t250 = np.minimum(t247, t248) / t249
+    t251 = t250 / (1 + np.sqrt((1 + np.where(t249 != 0.0, np.where(t249 != 0.0, t250 * t250, 0.0), 0.0))))
+    t252 = t251 * t251
+    t253 = np.where(t249 != 0.0, np.where(t249 != 0.0, t252 * (np.where(t249 != 0.0, np.where(t249 != 0.0, 0.047619047619047616 * t252, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t254 = np.where(t249 != 0.0, t252 * (np.where(t249 != 0.0, np.where(t249 != 0.0, t252 * (0.058823529411764705 + t253), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t255 = t252 * (np.where(t249 != 0.0, np.where(t249 != 0.0, t252 * (0.07692307692307693 + np.where(t249 != 0.0, t254, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t256 = np.where(t249 != 0.0, np.where(t249 != 0.0, t252 * (0.1111111111111111 + np.where(t249 != 0.0, np.where(t249 != 0.0, t255, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t257 = np.where(t249 != 0.0, np.where(t249 != 0.0, t252 * (0.2 + np.where(t249 != 0.0, np.where(t249 != 0.0, t252 * t256, 0.0), 0.0)), 0.0), 0.0)
+    t258 = 4 * t251 * (1 + np.where(t249 != 0.0, np.where(t249 != 0.0, t252 * (t257 - 0.3333333333333333), 0.0), 0.0))
+    t259 = 0.5 * np.copysign(1, t248 - t247)
+    t260 = np.where(t249 != 0.0, t258 * (0.5 - t259), 0.0) + (0.5 + t259) * (1.5707963267948966 - np.where(t249 != 0.0, t258, 0.0))
+    t261 = 0.5 * np.copysign(1, t246)
+    t262 = np.copysign((t260 * (0.5 - t261) + (0.5 + t261) * (3.141592653589793 - t260)), t245)
+    t263 = np.where(t236 != 0.0, t237, 0.0)
+    t264 = -t263
+    t265 = np.maximum(t263, t264)
+    t266 = np.where(t236 != 0.0, t238, 0.0)
+    t267 = np.maximum(t266, -t266)
+    t268 = 1 + np.maximum(t265, t267)
+    t269 = np.minimum(t265, t267) / t268
+    t270 = t269 / (1 + np.sqrt((1 + np.where(t268 != 0.0, np.where(t268 != 0.0, t269 * t269, 0.0), 0.0))))
+    t271 = t270 * t270
+    t272 = np.where(t268 != 0.0, np.where(t268 != 0.0, t271 * (np.where(t268 != 0.0, np.where(t268 != 0.0, 0.047619047619047616 * t271, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t273 = np.where(t268 != 0.0, t271 * (np.where(t268 != 0.0, np.where(t268 != 0.0, t271 * (0.058823529411764705 + t272), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t274 = t271 * (np.where(t268 != 0.0, np.where(t268 != 0.0, t271 * (0.07692307692307693 + np.where(t268 != 0.0, t273, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t275 = np.where(t268 != 0.0, np.where(t268 != 0.0, t271 * (0.1111111111111111 + np.where(t268 != 0.0, np.where(t268 != 0.0, t274, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t276 = np.where(t268 != 0.0, np.where(t268 != 0.0, t271 * (0.2 + np.where(t268 != 0.0, np.where(t268 != 0.0, t271 * t275, 0.0), 0.0)), 0.0), 0.0)
+    t277 = 4 * t270 * (1 + np.where(t268 != 0.0, np.where(t268 != 0.0, t271 * (t276 - 0.3333333333333333), 0.0), 0.0))
+    t278 = 0.5 * np.copysign(1, t267 - t265)
+    t279 = np.where(t268 != 0.0, t277 * (0.5 - t278), 0.0) + (0.5 + t278) * (1.5707963267948966 - np.where(t268 != 0.0, t277, 0.0))
+    t280 = 0.5 * np.copysign(1, t264)
+    t281 = np.copysign((t279 * (0.5 - t280) + (0.5 + t280) * (3.141592653589793 - t279)), t266)
+    t282 = np.where(t222 != 0.0, t223, 0.0)
+    t283 = -t282
+    t284 = np.maximum(t282, t283)
+    t285 = np.where(t206 != 0.0, np.where(t222 != 0.0, t225, 0.0), 0.0)
+    t286 = np.maximum(t285, -t285)
+    t287 = 1 + np.maximum(t284, t286)
+    t288 = np.minimum(t284, t286) / t287
+    t289 = t288 / (1 + np.sqrt((1 + np.where(t287 != 0.0, np.where(t287 != 0.0, t288 * t288, 0.0), 0.0))))
+    t290 = t289 * t289
+    t291 = np.where(t287 != 0.0, np.where(t287 != 0.0, t290 * (np.where(t287 != 0.0, np.where(t287 != 0.0, 0.047619047619047616 * t290, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t292 = np.where(t287 != 0.0, t290 * (np.where(t287 != 0.0, np.where(t287 != 0.0, t290 * (0.058823529411764705 + t291), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t293 = t290 * (np.where(t287 != 0.0, np.where(t287 != 0.0, t290 * (0.07692307692307693 + np.where(t287 != 0.0, t292, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t294 = np.where(t287 != 0.0, np.where(t287 != 0.0, t290 * (0.1111111111111111 + np.where(t287 != 0.0, np.where(t287 != 0.0, t293, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t295 = np.where(t287 != 0.0, np.where(t287 != 0.0, t290 * (0.2 + np.where(t287 != 0.0, np.where(t287 != 0.0, t290 * t294, 0.0), 0.0)), 0.0), 0.0)
+    t296 = 4 * t289 * (1 + np.where(t287 != 0.0, np.where(t287 != 0.0, t290 * (t295 - 0.3333333333333333), 0.0), 0.0))
+    t297 = 0.5 * np.copysign(1, t286 - t284)
+    t298 = np.where(t287 != 0.0, t296 * (0.5 - t297), 0.0) + (0.5 + t297) * (1.5707963267948966 - np.where(t287 != 0.0, t296, 0.0))
+    t299 = 0.5 * np.copysign(1, t283)
+    t300 = np.copysign((t298 * (0.5 - t299) + (0.5 + t299) * (3.141592653589793 - t298)), t285)
+    t301 = t38 * (t186 - t187)
+    t302 = t38 * (t183 + t184)
+    t303 = t53 * t301 - t52 * t302
+    t304 = t52 * t301 - t53 * t302
+    t305 = t45 * t303 - t47 * t304
+    t306 = t47 * t303 + t45 * t304
+    t307 = t305 + t306
+    t308 = t305 - t306
+    t309 = np.where(t31 != 0.0, t46 * t305 + t35 * t307 * t308, 0.0) - np.where(t31 != 0.0, t40 * t306, 0.0)
+    t310 = t305 + t305
+    t311 = t309 - np.where(t31 != 0.0, t306 * (t32 * t310), 0.0)
+    t312 = t311 * t311
+    t313 = t50 + t199 * t305 + t200 * t306 + t308 * (t32 * t307)
+    t314 = t311 / (2e-18 + (t312 + t312)) * (t313 + t306 * (t35 * t310))
+    t315 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t314, 0.0)))
+    t316 = t305 - t306 * t315
+    t317 = t306 + t305 * t315
+    t318 = np.sqrt((t316 * t316 + t317 * t317))
+    t319 = t316 / t318
+    t320 = np.where(t318 != 0.0, t319, 0.0)
+    t321 = t317 / t318
+    t322 = t319 + t321
+    t323 = t320 - np.where(t318 != 0.0, t321, 0.0)
+    t324 = np.where(t31 != 0.0, np.where(t318 != 0.0, t46 * t319, 0.0), 0.0) + np.where(t318 != 0.0, np.where(t31 != 0.0, t35 * t322 * t323, 0.0), 0.0)
+    t325 = t319 + t319
+    t326 = t324 - np.where(t318 != 0.0, np.where(t31 != 0.0, t40 * t321, 0.0), 0.0) - np.where(t318 != 0.0, np.where(t31 != 0.0, np.where(t318 != 0.0, t321 * (t32 * t325), 0.0), 0.0), 0.0)
+    t327 = t326 * t326
+    t328 = t216 + np.where(t318 != 0.0, np.where(t31 != 0.0, t199 * t319, 0.0), 0.0) + np.where(t318 != 0.0, np.where(t31 != 0.0, t200 * t321, 0.0), 0.0)
+    t329 = t328 + np.where(t318 != 0.0, np.where(t31 != 0.0, t323 * (t32 * t322), 0.0), 0.0) + np.where(t318 != 0.0, np.where(t31 != 0.0, np.where(t318 != 0.0, t321 * (t35 * t325), 0.0), 0.0), 0.0)
+    t330 = np.maximum((-0.001), np.minimum(0.001, -(t326 / (2e-18 + (t327 + t327)) * t329)))
+    t331 = t320 - np.where(t318 != 0.0, t321 * t330, 0.0)
+    t332 = t321 + t319 * t330
+    t333 = np.sqrt((t331 * t331 + np.where(t318 != 0.0, np.where(t318 != 0.0, t332 * t332, 0.0), 0.0)))
+    t334 = t331 / t333
+    t335 = t332 / t333
+    t336 = t9 + np.where(t333 != 0.0, t13 * t334, 0.0) + np.where(t318 != 0.0, np.where(t333 != 0.0, t224 * t335, 0.0), 0.0)
+    t337 = t336 / t1
+    t338 = d3 + np.where(t333 != 0.0, d4 * t334, 0.0)
+    t339 = (t11 + np.where(t318 != 0.0, np.where(t333 != 0.0, -(t229 * t335), 0.0), 0.0)) / sa2
+    t340 = np.where(t318 != 0.0, np.where(t333 != 0.0, t231 * t335, 0.0), 0.0) - t232
+    t341 = np.where(t1 != 0.0, t337 * t338, 0.0) + np.where(sa2 != 0.0, t339 * t340, 0.0)
+    t342 = np.where(sa2 != 0.0, t338 * t339, 0.0) - np.where(t1 != 0.0, t337 * t340, 0.0)
+    t343 = np.sqrt((t341 * t341 + t342 * t342))
+    t344 = t341 / t343
+    t345 = t342 / t343
+    t346 = d2 + (np.where(t343 != 0.0, t338 * t344, 0.0) - np.where(t343 != 0.0, t340 * t345, 0.0))
+    t347 = t340 * t344 + t338 * t345
+    t348 = r2 + (t241 + np.where(t318 != 0.0, np.where(t333 != 0.0, sa3 * (d4 * t335), 0.0), 0.0))
+    t349 = np.where(t343 != 0.0, ca2 * t347, 0.0) - sa2 * t348
+    t350 = x * t346 + y * t349
+    t351 = y * t346 - x * t349
+    t352 = -t350
+    t353 = np.maximum(t350, t352)
+    t354 = np.maximum(t351, -t351)
+    t355 = np.sqrt((t350 * t350 + t351 * t351)) + np.maximum(t353, t354)
+    t356 = np.minimum(t353, t354) / t355
+    t357 = t356 / (1 + np.sqrt((1 + np.where(t355 != 0.0, np.where(t355 != 0.0, t356 * t356, 0.0), 0.0))))
+    t358 = t357 * t357
+    t359 = np.where(t355 != 0.0, np.where(t355 != 0.0, t358 * (np.where(t355 != 0.0, np.where(t355 != 0.0, 0.047619047619047616 * t358, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t360 = np.where(t355 != 0.0, t358 * (np.where(t355 != 0.0, np.where(t355 != 0.0, t358 * (0.058823529411764705 + t359), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t361 = t358 * (np.where(t355 != 0.0, np.where(t355 != 0.0, t358 * (0.07692307692307693 + np.where(t355 != 0.0, t360, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t362 = np.where(t355 != 0.0, np.where(t355 != 0.0, t358 * (0.1111111111111111 + np.where(t355 != 0.0, np.where(t355 != 0.0, t361, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t363 = np.where(t355 != 0.0, np.where(t355 != 0.0, t358 * (0.2 + np.where(t355 != 0.0, np.where(t355 != 0.0, t358 * t362, 0.0), 0.0)), 0.0), 0.0)
+    t364 = 4 * t357 * (1 + np.where(t355 != 0.0, np.where(t355 != 0.0, t358 * (t363 - 0.3333333333333333), 0.0), 0.0))
+    t365 = 0.5 * np.copysign(1, t354 - t353)
+    t366 = np.where(t355 != 0.0, t364 * (0.5 - t365), 0.0) + (0.5 + t365) * (1.5707963267948966 - np.where(t355 != 0.0, t364, 0.0))
+    t367 = 0.5 * np.copysign(1, t352)
+    t368 = np.copysign((t366 * (0.5 - t367) + (0.5 + t367) * (3.141592653589793 - t366)), t351)
+    t369 = np.where(t343 != 0.0, t344, 0.0)
+    t370 = -t369
+    t371 = np.maximum(t369, t370)
+    t372 = np.where(t343 != 0.0, t345, 0.0)
+    t373 = np.maximum(t372, -t372)
+    t374 = 1 + np.maximum(t371, t373)
+    t375 = np.minimum(t371, t373) / t374
+    t376 = t375 / (1 + np.sqrt((1 + np.where(t374 != 0.0, np.where(t374 != 0.0, t375 * t375, 0.0), 0.0))))
+    t377 = t376 * t376
+    t378 = np.where(t374 != 0.0, np.where(t374 != 0.0, t377 * (np.where(t374 != 0.0, np.where(t374 != 0.0, 0.047619047619047616 * t377, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t379 = np.where(t374 != 0.0, t377 * (np.where(t374 != 0.0, np.where(t374 != 0.0, t377 * (0.058823529411764705 + t378), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t380 = t377 * (np.where(t374 != 0.0, np.where(t374 != 0.0, t377 * (0.07692307692307693 + np.where(t374 != 0.0, t379, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t381 = np.where(t374 != 0.0, np.where(t374 != 0.0, t377 * (0.1111111111111111 + np.where(t374 != 0.0, np.where(t374 != 0.0, t380, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t382 = np.where(t374 != 0.0, np.where(t374 != 0.0, t377 * (0.2 + np.where(t374 != 0.0, np.where(t374 != 0.0, t377 * t381, 0.0), 0.0)), 0.0), 0.0)
+    t383 = 4 * t376 * (1 + np.where(t374 != 0.0, np.where(t374 != 0.0, t377 * (t382 - 0.3333333333333333), 0.0), 0.0))
+    t384 = 0.5 * np.copysign(1, t373 - t371)
+    t385 = np.where(t374 != 0.0, t383 * (0.5 - t384), 0.0) + (0.5 + t384) * (1.5707963267948966 - np.where(t374 != 0.0, t383, 0.0))
+    t386 = 0.5 * np.copysign(1, t370)
+    t387 = np.copysign((t385 * (0.5 - t386) + (0.5 + t386) * (3.141592653589793 - t385)), t372)
+    t388 = np.where(t333 != 0.0, t334, 0.0)
+    t389 = -t388
+    t390 = np.maximum(t388, t389)
+    t391 = np.where(t318 != 0.0, np.where(t333 != 0.0, t335, 0.0), 0.0)
+    t392 = np.maximum(t391, -t391)
+    t393 = 1 + np.maximum(t390, t392)
+    t394 = np.minimum(t390, t392) / t393
+    t395 = t394 / (1 + np.sqrt((1 + np.where(t393 != 0.0, np.where(t393 != 0.0, t394 * t394, 0.0), 0.0))))
+    t396 = t395 * t395
+    t397 = np.where(t393 != 0.0, np.where(t393 != 0.0, t396 * (np.where(t393 != 0.0, np.where(t393 != 0.0, 0.047619047619047616 * t396, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t398 = np.where(t393 != 0.0, t396 * (np.where(t393 != 0.0, np.where(t393 != 0.0, t396 * (0.058823529411764705 + t397), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t399 = t396 * (np.where(t393 != 0.0, np.where(t393 != 0.0, t396 * (0.07692307692307693 + np.where(t393 != 0.0, t398, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t400 = np.where(t393 != 0.0, np.where(t393 != 0.0, t396 * (0.1111111111111111 + np.where(t393 != 0.0, np.where(t393 != 0.0, t399, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t401 = np.where(t393 != 0.0, np.where(t393 != 0.0, t396 * (0.2 + np.where(t393 != 0.0, np.where(t393 != 0.0, t396 * t400, 0.0), 0.0)), 0.0), 0.0)
+    t402 = 4 * t395 * (1 + np.where(t393 != 0.0, np.where(t393 != 0.0, t396 * (t401 - 0.3333333333333333), 0.0), 0.0))
+    t403 = 0.5 * np.copysign(1, t392 - t390)
+    t404 = np.where(t393 != 0.0, t402 * (0.5 - t403), 0.0) + (0.5 + t403) * (1.5707963267948966 - np.where(t393 != 0.0, t402, 0.0))
+    t405 = 0.5 * np.copysign(1, t389)
+    t406 = np.copysign((t404 * (0.5 - t405) + (0.5 + t405) * (3.141592653589793 - t404)), t391)
+    t407 = t175 - t179
+    t408 = t39 - t407 * t407
+    t409 = np.sqrt(np.maximum(0.0, t408))
+    t410 = t174 * t409
+    t411 = t178 * t407
+    t412 = t38 * (t410 - t411)
+    t413 = t174 * t407
+    t414 = t178 * t409
+    t415 = t38 * (t413 + t414)
+    t416 = t53 * t412 - t52 * t415
+    t417 = t52 * t412 - t53 * t415
+    t418 = t45 * t416 - t47 * t417
+    t419 = t47 * t416 + t45 * t417
+    t420 = t418 + t419
+    t421 = t418 - t419
+    t422 = np.where(t31 != 0.0, t46 * t418 + t35 * t420 * t421, 0.0) - np.where(t31 != 0.0, t40 * t419, 0.0)
+    t423 = t418 + t418
+    t424 = t422 - np.where(t31 != 0.0, t419 * (t32 * t423), 0.0)
+    t425 = t424 * t424
+    t426 = t50 + t199 * t418 + t200 * t419 + t421 * (t32 * t420)
+    t427 = t424 / (2e-18 + (t425 + t425)) * (t426 + t419 * (t35 * t423))
+    t428 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t427, 0.0)))
+    t429 = t418 - t419 * t428
+    t430 = t419 + t418 * t428
+    t431 = np.sqrt((t429 * t429 + t430 * t430))
+    t432 = t429 / t431
+    t433 = np.where(t431 != 0.0, t432, 0.0)
+    t434 = t430 / t431
+    t435 = t432 + t434
+    t436 = t433 - np.where(t431 != 0.0, t434, 0.0)
+    t437 = np.where(t31 != 0.0, np.where(t431 != 0.0, t46 * t432, 0.0), 0.0) + np.where(t431 != 0.0, np.where(t31 != 0.0, t35 * t435 * t436, 0.0), 0.0)
+    t438 = t432 + t432
+    t439 = t437 - np.where(t431 != 0.0, np.where(t31 != 0.0, t40 * t434, 0.0), 0.0) - np.where(t431 != 0.0, np.where(t31 != 0.0, np.where(t431 != 0.0, t434 * (t32 * t438), 0.0), 0.0), 0.0)
+    t440 = t439 * t439
+    t441 = t216 + np.where(t431 != 0.0, np.where(t31 != 0.0, t199 * t432, 0.0), 0.0) + np.where(t431 != 0.0, np.where(t31 != 0.0, t200 * t434, 0.0), 0.0)
+    t442 = t441 + np.where(t431 != 0.0, np.where(t31 != 0.0, t436 * (t32 * t435), 0.0), 0.0) + np.where(t431 != 0.0, np.where(t31 != 0.0, np.where(t431 != 0.0, t434 * (t35 * t438), 0.0), 0.0), 0.0)
+    t443 = np.maximum((-0.001), np.minimum(0.001, -(t439 / (2e-18 + (t440 + t440)) * t442)))
+    t444 = t433 - np.where(t431 != 0.0, t434 * t443, 0.0)
+    t445 = t434 + t432 * t443
+    t446 = np.sqrt((t444 * t444 + np.where(t431 != 0.0, np.where(t431 != 0.0, t445 * t445, 0.0), 0.0)))
+    t447 = t444 / t446
+    t448 = t445 / t446
+    t449 = t9 + np.where(t446 != 0.0, t13 * t447, 0.0) + np.where(t431 != 0.0, np.where(t446 != 0.0, t224 * t448, 0.0), 0.0)
+    t450 = t449 / t1
+    t451 = d3 + np.where(t446 != 0.0, d4 * t447, 0.0)
+    t452 = (t11 + np.where(t431 != 0.0, np.where(t446 != 0.0, -(t229 * t448), 0.0), 0.0)) / sa2
+    t453 = np.where(t431 != 0.0, np.where(t446 != 0.0, t231 * t448, 0.0), 0.0) - t232
+    t454 = np.where(t1 != 0.0, t450 * t451, 0.0) + np.where(sa2 != 0.0, t452 * t453, 0.0)
+    t455 = np.where(sa2 != 0.0, t451 * t452, 0.0) - np.where(t1 != 0.0, t450 * t453, 0.0)
+    t456 = np.sqrt((t454 * t454 + t455 * t455))
+    t457 = t454 / t456
+    t458 = t455 / t456
+    t459 = d2 + (np.where(t456 != 0.0, t451 * t457, 0.0) - np.where(t456 != 0.0, t453 * t458, 0.0))
+    t460 = t453 * t457 + t451 * t458
+    t461 = r2 + (t241 + np.where(t431 != 0.0, np.where(t446 != 0.0, sa3 * (d4 * t448), 0.0), 0.0))
+    t462 = np.where(t456 != 0.0, ca2 * t460, 0.0) - sa2 * t461
+    t463 = x * t459 + y * t462
+    t464 = y * t459 - x * t462
+    t465 = -t463
+    t466 = np.maximum(t463, t465)
+    t467 = np.maximum(t464, -t464)
+    t468 = np.sqrt((t463 * t463 + t464 * t464)) + np.maximum(t466, t467)
+    t469 = np.minimum(t466, t467) / t468
+    t470 = t469 / (1 + np.sqrt((1 + np.where(t468 != 0.0, np.where(t468 != 0.0, t469 * t469, 0.0), 0.0))))
+    t471 = t470 * t470
+    t472 = np.where(t468 != 0.0, np.where(t468 != 0.0, t471 * (np.where(t468 != 0.0, np.where(t468 != 0.0, 0.047619047619047616 * t471, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t473 = np.where(t468 != 0.0, t471 * (np.where(t468 != 0.0, np.where(t468 != 0.0, t471 * (0.058823529411764705 + t472), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t474 = t471 * (np.where(t468 != 0.0, np.where(t468 != 0.0, t471 * (0.07692307692307693 + np.where(t468 != 0.0, t473, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t475 = np.where(t468 != 0.0, np.where(t468 != 0.0, t471 * (0.1111111111111111 + np.where(t468 != 0.0, np.where(t468 != 0.0, t474, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t476 = np.where(t468 != 0.0, np.where(t468 != 0.0, t471 * (0.2 + np.where(t468 != 0.0, np.where(t468 != 0.0, t471 * t475, 0.0), 0.0)), 0.0), 0.0)
+    t477 = 4 * t470 * (1 + np.where(t468 != 0.0, np.where(t468 != 0.0, t471 * (t476 - 0.3333333333333333), 0.0), 0.0))
+    t478 = 0.5 * np.copysign(1, t467 - t466)
+    t479 = np.where(t468 != 0.0, t477 * (0.5 - t478), 0.0) + (0.5 + t478) * (1.5707963267948966 - np.where(t468 != 0.0, t477, 0.0))
+    t480 = 0.5 * np.copysign(1, t465)
+    t481 = np.copysign((t479 * (0.5 - t480) + (0.5 + t480) * (3.141592653589793 - t479)), t464)
+    t482 = np.where(t456 != 0.0, t457, 0.0)
+    t483 = -t482
+    t484 = np.maximum(t482, t483)
+    t485 = np.where(t456 != 0.0, t458, 0.0)
+    t486 = np.maximum(t485, -t485)
+    t487 = 1 + np.maximum(t484, t486)
+    t488 = np.minimum(t484, t486) / t487
+    t489 = t488 / (1 + np.sqrt((1 + np.where(t487 != 0.0, np.where(t487 != 0.0, t488 * t488, 0.0), 0.0))))
+    t490 = t489 * t489
+    t491 = np.where(t487 != 0.0, np.where(t487 != 0.0, t490 * (np.where(t487 != 0.0, np.where(t487 != 0.0, 0.047619047619047616 * t490, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t492 = np.where(t487 != 0.0, t490 * (np.where(t487 != 0.0, np.where(t487 != 0.0, t490 * (0.058823529411764705 + t491), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t493 = t490 * (np.where(t487 != 0.0, np.where(t487 != 0.0, t490 * (0.07692307692307693 + np.where(t487 != 0.0, t492, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t494 = np.where(t487 != 0.0, np.where(t487 != 0.0, t490 * (0.1111111111111111 + np.where(t487 != 0.0, np.where(t487 != 0.0, t493, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t495 = np.where(t487 != 0.0, np.where(t487 != 0.0, t490 * (0.2 + np.where(t487 != 0.0, np.where(t487 != 0.0, t490 * t494, 0.0), 0.0)), 0.0), 0.0)
+    t496 = 4 * t489 * (1 + np.where(t487 != 0.0, np.where(t487 != 0.0, t490 * (t495 - 0.3333333333333333), 0.0), 0.0))
+    t497 = 0.5 * np.copysign(1, t486 - t484)
+    t498 = np.where(t487 != 0.0, t496 * (0.5 - t497), 0.0) + (0.5 + t497) * (1.5707963267948966 - np.where(t487 != 0.0, t496, 0.0))
+    t499 = 0.5 * np.copysign(1, t483)
+    t500 = np.copysign((t498 * (0.5 - t499) + (0.5 + t499) * (3.141592653589793 - t498)), t485)
+    t501 = np.where(t446 != 0.0, t447, 0.0)
+    t502 = -t501
+    t503 = np.maximum(t501, t502)
+    t504 = np.where(t431 != 0.0, np.where(t446 != 0.0, t448, 0.0), 0.0)
+    t505 = np.maximum(t504, -t504)
+    t506 = 1 + np.maximum(t503, t505)
+    t507 = np.minimum(t503, t505) / t506
+    t508 = t507 / (1 + np.sqrt((1 + np.where(t506 != 0.0, np.where(t506 != 0.0, t507 * t507, 0.0), 0.0))))
+    t509 = t508 * t508
+    t510 = np.where(t506 != 0.0, np.where(t506 != 0.0, t509 * (np.where(t506 != 0.0, np.where(t506 != 0.0, 0.047619047619047616 * t509, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t511 = np.where(t506 != 0.0, t509 * (np.where(t506 != 0.0, np.where(t506 != 0.0, t509 * (0.058823529411764705 + t510), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t512 = t509 * (np.where(t506 != 0.0, np.where(t506 != 0.0, t509 * (0.07692307692307693 + np.where(t506 != 0.0, t511, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t513 = np.where(t506 != 0.0, np.where(t506 != 0.0, t509 * (0.1111111111111111 + np.where(t506 != 0.0, np.where(t506 != 0.0, t512, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t514 = np.where(t506 != 0.0, np.where(t506 != 0.0, t509 * (0.2 + np.where(t506 != 0.0, np.where(t506 != 0.0, t509 * t513, 0.0), 0.0)), 0.0), 0.0)
+    t515 = 4 * t508 * (1 + np.where(t506 != 0.0, np.where(t506 != 0.0, t509 * (t514 - 0.3333333333333333), 0.0), 0.0))
+    t516 = 0.5 * np.copysign(1, t505 - t503)
+    t517 = np.where(t506 != 0.0, t515 * (0.5 - t516), 0.0) + (0.5 + t516) * (1.5707963267948966 - np.where(t506 != 0.0, t515, 0.0))
+    t518 = 0.5 * np.copysign(1, t502)
+    t519 = np.copysign((t517 * (0.5 - t518) + (0.5 + t518) * (3.141592653589793 - t517)), t504)
+    t520 = t38 * (t414 - t413)
+    t521 = t38 * (t410 + t411)
+    t522 = t52 * t520 - t53 * t521
+    t523 = t53 * t520 - t52 * t521
+    t524 = t45 * t522 - t47 * t523
+    t525 = t47 * t522 + t45 * t523
+    t526 = t524 + t525
+    t527 = t524 - t525
+    t528 = np.where(t31 != 0.0, t46 * t524 + t35 * t526 * t527, 0.0) - np.where(t31 != 0.0, t40 * t525, 0.0)
+    t529 = t524 + t524
+    t530 = t528 - np.where(t31 != 0.0, t525 * (t32 * t529), 0.0)
+    t531 = t530 * t530
+    t532 = t50 + t199 * t524 + t200 * t525 + t527 * (t32 * t526)
+    t533 = t530 / (2e-18 + (t531 + t531)) * (t532 + t525 * (t35 * t529))
+    t534 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t533, 0.0)))
+    t535 = t524 - t525 * t534
+    t536 = t525 + t524 * t534
+    t537 = np.sqrt((t535 * t535 + t536 * t536))
+    t538 = t535 / t537
+    t539 = np.where(t537 != 0.0, t538, 0.0)
+    t540 = t536 / t537
+    t541 = t538 + t540
+    t542 = t539 - np.where(t537 != 0.0, t540, 0.0)
+    t543 = np.where(t31 != 0.0, np.where(t537 != 0.0, t46 * t538, 0.0), 0.0) + np.where(t537 != 0.0, np.where(t31 != 0.0, t35 * t541 * t542, 0.0), 0.0)
+    t544 = t538 + t538
+    t545 = t543 - np.where(t537 != 0.0, np.where(t31 != 0.0, t40 * t540, 0.0), 0.0) - np.where(t537 != 0.0, np.where(t31 != 0.0, np.where(t537 != 0.0, t540 * (t32 * t544), 0.0), 0.0), 0.0)
+    t546 = t545 * t545
+    t547 = t216 + np.where(t537 != 0.0, np.where(t31 != 0.0, t199 * t538, 0.0), 0.0) + np.where(t537 != 0.0, np.where(t31 != 0.0, t200 * t540, 0.0), 0.0)
+    t548 = t547 + np.where(t537 != 0.0, np.where(t31 != 0.0, t542 * (t32 * t541), 0.0), 0.0) + np.where(t537 != 0.0, np.where(t31 != 0.0, np.where(t537 != 0.0, t540 * (t35 * t544), 0.0), 0.0), 0.0)
+    t549 = np.maximum((-0.001), np.minimum(0.001, -(t545 / (2e-18 + (t546 + t546)) * t548)))
+    t550 = t539 - np.where(t537 != 0.0, t540 * t549, 0.0)
+    t551 = t540 + t538 * t549
+    t552 = np.sqrt((t550 * t550 + np.where(t537 != 0.0, np.where(t537 != 0.0, t551 * t551, 0.0), 0.0)))
+    t553 = t550 / t552
+    t554 = t551 / t552
+    t555 = t9 + np.where(t552 != 0.0, t13 * t553, 0.0) + np.where(t537 != 0.0, np.where(t552 != 0.0, t224 * t554, 0.0), 0.0)
+    t556 = t555 / t1
+    t557 = d3 + np.where(t552 != 0.0, d4 * t553, 0.0)
+    t558 = (t11 + np.where(t537 != 0.0, np.where(t552 != 0.0, -(t229 * t554), 0.0), 0.0)) / sa2
+    t559 = np.where(t537 != 0.0, np.where(t552 != 0.0, t231 * t554, 0.0), 0.0) - t232
+    t560 = np.where(t1 != 0.0, t556 * t557, 0.0) + np.where(sa2 != 0.0, t558 * t559, 0.0)
+    t561 = np.where(sa2 != 0.0, t557 * t558, 0.0) - np.where(t1 != 0.0, t556 * t559, 0.0)
+    t562 = np.sqrt((t560 * t560 + t561 * t561))
+    t563 = t560 / t562
+    t564 = t561 / t562
+    t565 = d2 + (np.where(t562 != 0.0, t557 * t563, 0.0) - np.where(t562 != 0.0, t559 * t564, 0.0))
+    t566 = t559 * t563 + t557 * t564
+    t567 = r2 + (t241 + np.where(t537 != 0.0, np.where(t552 != 0.0, sa3 * (d4 * t554), 0.0), 0.0))
+    t568 = np.where(t562 != 0.0, ca2 * t566, 0.0) - sa2 * t567
+    t569 = x * t565 + y * t568
+    t570 = y * t565 - x * t568
+    t571 = -t569
+    t572 = np.maximum(t569, t571)
+    t573 = np.maximum(t570, -t570)
+    t574 = np.sqrt((t569 * t569 + t570 * t570)) + np.maximum(t572, t573)
+    t575 = np.minimum(t572, t573) / t574
+    t576 = t575 / (1 + np.sqrt((1 + np.where(t574 != 0.0, np.where(t574 != 0.0, t575 * t575, 0.0), 0.0))))
+    t577 = t576 * t576
+    t578 = np.where(t574 != 0.0, np.where(t574 != 0.0, t577 * (np.where(t574 != 0.0, np.where(t574 != 0.0, 0.047619047619047616 * t577, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t579 = np.where(t574 != 0.0, t577 * (np.where(t574 != 0.0, np.where(t574 != 0.0, t577 * (0.058823529411764705 + t578), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t580 = t577 * (np.where(t574 != 0.0, np.where(t574 != 0.0, t577 * (0.07692307692307693 + np.where(t574 != 0.0, t579, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t581 = np.where(t574 != 0.0, np.where(t574 != 0.0, t577 * (0.1111111111111111 + np.where(t574 != 0.0, np.where(t574 != 0.0, t580, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t582 = np.where(t574 != 0.0, np.where(t574 != 0.0, t577 * (0.2 + np.where(t574 != 0.0, np.where(t574 != 0.0, t577 * t581, 0.0), 0.0)), 0.0), 0.0)
+    t583 = 4 * t576 * (1 + np.where(t574 != 0.0, np.where(t574 != 0.0, t577 * (t582 - 0.3333333333333333), 0.0), 0.0))
+    t584 = 0.5 * np.copysign(1, t573 - t572)
+    t585 = np.where(t574 != 0.0, t583 * (0.5 - t584), 0.0) + (0.5 + t584) * (1.5707963267948966 - np.where(t574 != 0.0, t583, 0.0))
+    t586 = 0.5 * np.copysign(1, t571)
+    t587 = np.copysign((t585 * (0.5 - t586) + (0.5 + t586) * (3.141592653589793 - t585)), t570)
+    t588 = np.where(t562 != 0.0, t563, 0.0)
+    t589 = -t588
+    t590 = np.maximum(t588, t589)
+    t591 = np.where(t562 != 0.0, t564, 0.0)
+    t592 = np.maximum(t591, -t591)
+    t593 = 1 + np.maximum(t590, t592)
+    t594 = np.minimum(t590, t592) / t593
+    t595 = t594 / (1 + np.sqrt((1 + np.where(t593 != 0.0, np.where(t593 != 0.0, t594 * t594, 0.0), 0.0))))
+    t596 = t595 * t595
+    t597 = np.where(t593 != 0.0, np.where(t593 != 0.0, t596 * (np.where(t593 != 0.0, np.where(t593 != 0.0, 0.047619047619047616 * t596, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t598 = np.where(t593 != 0.0, t596 * (np.where(t593 != 0.0, np.where(t593 != 0.0, t596 * (0.058823529411764705 + t597), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t599 = t596 * (np.where(t593 != 0.0, np.where(t593 != 0.0, t596 * (0.07692307692307693 + np.where(t593 != 0.0, t598, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t600 = np.where(t593 != 0.0, np.where(t593 != 0.0, t596 * (0.1111111111111111 + np.where(t593 != 0.0, np.where(t593 != 0.0, t599, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t601 = np.where(t593 != 0.0, np.where(t593 != 0.0, t596 * (0.2 + np.where(t593 != 0.0, np.where(t593 != 0.0, t596 * t600, 0.0), 0.0)), 0.0), 0.0)
+    t602 = 4 * t595 * (1 + np.where(t593 != 0.0, np.where(t593 != 0.0, t596 * (t601 - 0.3333333333333333), 0.0), 0.0))
+    t603 = 0.5 * np.copysign(1, t592 - t590)
+    t604 = np.where(t593 != 0.0, t602 * (0.5 - t603), 0.0) + (0.5 + t603) * (1.5707963267948966 - np.where(t593 != 0.0, t602, 0.0))
+    t605 = 0.5 * np.copysign(1, t589)
+    t606 = np.copysign((t604 * (0.5 - t605) + (0.5 + t605) * (3.141592653589793 - t604)), t591)
+    t607 = np.where(t552 != 0.0, t553, 0.0)
+    t608 = -t607
+    t609 = np.maximum(t607, t608)
+    t610 = np.where(t537 != 0.0, np.where(t552 != 0.0, t554, 0.0), 0.0)
+    t611 = np.maximum(t610, -t610)
+    t612 = 1 + np.maximum(t609, t611)
+    t613 = np.minimum(t609, t611) / t612
+    t614 = t613 / (1 + np.sqrt((1 + np.where(t612 != 0.0, np.where(t612 != 0.0, t613 * t613, 0.0), 0.0))))
+    t615 = t614 * t614
+    t616 = np.where(t612 != 0.0, np.where(t612 != 0.0, t615 * (np.where(t612 != 0.0, np.where(t612 != 0.0, 0.047619047619047616 * t615, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t617 = np.where(t612 != 0.0, t615 * (np.where(t612 != 0.0, np.where(t612 != 0.0, t615 * (0.058823529411764705 + t616), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t618 = t615 * (np.where(t612 != 0.0, np.where(t612 != 0.0, t615 * (0.07692307692307693 + np.where(t612 != 0.0, t617, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t619 = np.where(t612 != 0.0, np.where(t612 != 0.0, t615 * (0.1111111111111111 + np.where(t612 != 0.0, np.where(t612 != 0.0, t618, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t620 = np.where(t612 != 0.0, np.where(t612 != 0.0, t615 * (0.2 + np.where(t612 != 0.0, np.where(t612 != 0.0, t615 * t619, 0.0), 0.0)), 0.0), 0.0)
+    t621 = 4 * t614 * (1 + np.where(t612 != 0.0, np.where(t612 != 0.0, t615 * (t620 - 0.3333333333333333), 0.0), 0.0))
+    t622 = 0.5 * np.copysign(1, t611 - t609)
+    t623 = np.where(t612 != 0.0, t621 * (0.5 - t622), 0.0) + (0.5 + t622) * (1.5707963267948966 - np.where(t612 != 0.0, t621, 0.0))
+    t624 = 0.5 * np.copysign(1, t608)
+    t625 = np.copysign((t623 * (0.5 - t624) + (0.5 + t624) * (3.141592653589793 - t623)), t610)
+    t626 = np.sqrt(t2)
+    t627 = np.sqrt((t239 * t239 + t243 * t243)) - t626
+    t628 = np.where(t236 != 0.0, sa2 * t240, 0.0) + ca2 * t242 - z
+    t629 = np.sqrt((t346 * t346 + t349 * t349)) - t626
+    t630 = np.where(t343 != 0.0, sa2 * t347, 0.0) + ca2 * t348 - z
+    t631 = np.sqrt((t459 * t459 + t462 * t462)) - t626
+    t632 = np.where(t456 != 0.0, sa2 * t460, 0.0) + ca2 * t461 - z
+    t633 = np.sqrt((t565 * t565 + t568 * t568)) - t626
+    t634 = np.where(t562 != 0.0, sa2 * t566, 0.0) + ca2 * t567 - z
+    t635 = np.where(t222 != 0.0, t46 * t223, 0.0) + t35 * (t282 + t285) * (t282 - t285)
+    t636 = np.where(t206 != 0.0, np.where(t222 != 0.0, np.where(t31 != 0.0, np.where(t222 != 0.0, t225 * (t32 * (t223 + t223)), 0.0), 0.0), 0.0), 0.0)
+    t637 = np.where(t31 != 0.0, t635, 0.0) - np.where(t206 != 0.0, np.where(t222 != 0.0, np.where(t31 != 0.0, t40 * t225, 0.0), 0.0), 0.0) - t636
+    t638 = np.where(t333 != 0.0, t46 * t334, 0.0) + t35 * (t388 + t391) * (t388 - t391)
+    t639 = np.where(t318 != 0.0, np.where(t333 != 0.0, np.where(t31 != 0.0, np.where(t333 != 0.0, t335 * (t32 * (t334 + t334)), 0.0), 0.0), 0.0), 0.0)
+    t640 = np.where(t31 != 0.0, t638, 0.0) - np.where(t318 != 0.0, np.where(t333 != 0.0, np.where(t31 != 0.0, t40 * t335, 0.0), 0.0), 0.0) - t639
+    t641 = np.where(t446 != 0.0, t46 * t447, 0.0) + t35 * (t501 + t504) * (t501 - t504)
+    t642 = np.where(t431 != 0.0, np.where(t446 != 0.0, np.where(t31 != 0.0, np.where(t446 != 0.0, t448 * (t32 * (t447 + t447)), 0.0), 0.0), 0.0), 0.0)
+    t643 = np.where(t31 != 0.0, t641, 0.0) - np.where(t431 != 0.0, np.where(t446 != 0.0, np.where(t31 != 0.0, t40 * t448, 0.0), 0.0), 0.0) - t642
+    t644 = np.where(t552 != 0.0, t46 * t553, 0.0) + t35 * (t607 + t610) * (t607 - t610)
+    t645 = np.where(t537 != 0.0, np.where(t552 != 0.0, np.where(t31 != 0.0, np.where(t552 != 0.0, t554 * (t32 * (t553 + t553)), 0.0), 0.0), 0.0), 0.0)
+    t646 = np.where(t31 != 0.0, t644, 0.0) - np.where(t537 != 0.0, np.where(t552 != 0.0, np.where(t31 != 0.0, t40 * t554, 0.0), 0.0), 0.0) - t645
+    t647 = t50 * t50
+    t648 = t36 + t32 * t32
+    t649 = t40 * t40
+    t650 = t46 * t46
+    t651 = t649 + t650
+    t652 = np.where(t31 != 0.0, np.where(t31 != 0.0, t647 + 3 * t648, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 3 * t651, 0.0), 0.0)
+    t653 = t652 * t652
+    t654 = t32 * (np.where(t31 != 0.0, np.where(t31 != 0.0, t649, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, t650, 0.0), 0.0)) + np.where(t31 != 0.0, np.where(t31 != 0.0, t46 * (t35 * t199), 0.0), 0.0)
+    t655 = np.where(t31 != 0.0, np.where(t31 != 0.0, t647 + t647, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 18 * t648, 0.0), 0.0)
+    t656 = 27 * t654 + t50 * (t655 - np.where(t31 != 0.0, np.where(t31 != 0.0, 9 * t651, 0.0), 0.0))
+    t657 = 4 * t652 * t653 - np.where(t31 != 0.0, np.where(t31 != 0.0, t656 * t656, 0.0), 0.0)
+    t658 = 0.5 + 0.5 * np.copysign(1, t657)
+    t659 = np.maximum(d2, -d2)
+    t660 = np.maximum(ca2, -ca2)
+    t661 = t660 + t660
+    t662 = t659 * t661
+    t663 = np.maximum(r2, -r2)
+    t664 = np.maximum(ca3, -ca3)
+    t665 = np.maximum(r3, -r3)
+    t666 = (t659 + t659) * np.maximum(z, -z) + t662 * t663 + t659 * (t661 * t664) * t665
+    t667 = np.maximum(d4, -d4)
+    t668 = np.maximum(sa3, -sa3)
+    t669 = t666 + t662 * t667 * t668
+    t670 = np.maximum(sa2, -sa2)
+    t671 = t4 * t670 + t5 * t670 + t6 * t670 + t7 * t670
+    t672 = t671 + t8 * t670 + t3 * t670 + t670 * np.maximum(t2, -t2)
+    t673 = np.maximum(d3, -d3)
+    t674 = t672 + t670 * (t667 * (t673 + t673)) + t670 * (t665 * (t663 * (t664 + t664)))
+    t675 = t674 + t668 * (t670 * (t663 * (t667 + t667)))
+    t676 = t664 * t667 + t665 * t668
+    t677 = t667 + t673
+    t678 = t669 * t669 + t675 * t675 + t22 * (t676 * t676 + t677 * t677)
+    t679 = 3.552713678800501e-15 / t31 * t678
+    t680 = -0.3333333333333333 * t652
+    t681 = np.where(t31 != 0.0, np.where(t31 != 0.0, t648 + t651, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 0.5555555555555556 * t647, 0.0), 0.0)
+    t682 = 1.3333333333333333 * t50
+    t683 = t680 * t680 + 3 * (t681 * t681) + np.where(t31 != 0.0, np.where(t31 != 0.0, t680 * (t682 * t682), 0.0), 0.0)
+    t684 = t683 + np.where(t31 != 0.0, np.where(t31 != 0.0, t682 * (0.1111111111111111 * t656), 0.0), 0.0) - t681 * (-1.3333333333333333 * t652)
+    t685 = 0.016666666666666666 / np.where(t31 != 0.0, t679, 0.0) * np.minimum(t684, 3 * (3 * t681 - -0.6666666666666666 * t652))
+    t686 = np.where(t31 != 0.0, t656, 0.0)
+    t687 = 72 * t653 + 120 * np.maximum(t686, -t686) + np.where(t31 != 0.0, 5000 * t679, 0.0)
+    t688 = np.maximum(t657, -t657) / np.where(t31 != 0.0, t679 * t687, 0.0)
 
     # results
     angles = np.empty((*_leading, 12), _real)
@@ -1326,35 +1650,35 @@ def postures(parameters, point):
     slope = np.empty((*_leading, 4), _real)
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    angles[..., 0] = t245
-    angles[..., 1] = np.arctan2(np.where(t237 != 0.0, t239, 0.0), np.where(t237 != 0.0, t238, 0.0))
-    angles[..., 2] = np.arctan2(t246, t247)
-    angles[..., 3] = t297
-    angles[..., 4] = np.arctan2(np.where(t290 != 0.0, t292, 0.0), np.where(t290 != 0.0, t291, 0.0))
-    angles[..., 5] = np.arctan2(t298, t299)
-    angles[..., 6] = t356
-    angles[..., 7] = np.arctan2(np.where(t349 != 0.0, t351, 0.0), np.where(t349 != 0.0, t350, 0.0))
-    angles[..., 8] = np.arctan2(t357, t358)
-    angles[..., 9] = t408
-    angles[..., 10] = np.arctan2(np.where(t401 != 0.0, t403, 0.0), np.where(t401 != 0.0, t402, 0.0))
-    angles[..., 11] = np.arctan2(t409, t410)
-    room[..., 0] = t182
-    room[..., 1] = t302
-    closure[..., 0] = np.sqrt((t412 * t412 + t413 * t413))
-    closure[..., 1] = np.sqrt((t414 * t414 + t415 * t415))
-    closure[..., 2] = np.sqrt((t416 * t416 + t417 * t417))
-    closure[..., 3] = np.sqrt((t418 * t418 + t419 * t419))
-    slope[..., 0] = t422
-    slope[..., 1] = t425
-    slope[..., 2] = t428
-    slope[..., 3] = t431
-    number[..., 0] = 2 + t443 * np.copysign(2, t470)
-    margin[..., 0] = np.minimum(t473, t473 * (1 - t443) + np.maximum(t470, -t470))
+    angles[..., 0] = t262
+    angles[..., 1] = t281
+    angles[..., 2] = t300
+    angles[..., 3] = t368
+    angles[..., 4] = t387
+    angles[..., 5] = t406
+    angles[..., 6] = t481
+    angles[..., 7] = t500
+    angles[..., 8] = t519
+    angles[..., 9] = t587
+    angles[..., 10] = t606
+    angles[..., 11] = t625
+    room[..., 0] = t181
+    room[..., 1] = t408
+    closure[..., 0] = np.sqrt((t627 * t627 + t628 * t628))
+    closure[..., 1] = np.sqrt((t629 * t629 + t630 * t630))
+    closure[..., 2] = np.sqrt((t631 * t631 + t632 * t632))
+    closure[..., 3] = np.sqrt((t633 * t633 + t634 * t634))
+    slope[..., 0] = t637
+    slope[..., 1] = t640
+    slope[..., 2] = t643
+    slope[..., 3] = t646
+    number[..., 0] = 2 + t658 * np.copysign(2, t685)
+    margin[..., 0] = np.minimum(t688, t688 * (1 - t658) + np.maximum(t685, -t685))
     return angles.reshape(_leading + (4, 3)), room.reshape(_leading + (2,)), closure.reshape(_leading + (4,)), slope.reshape(_leading + (4,)), number.reshape(_leading), margin.reshape(_leading)
 
 
 def postures_intersecting(parameters, point):
-    """the postures of an arm with axes 1 and 2 intersecting, the distance each leaves, and W: 330 operations.
+    """the postures of an arm with axes 1 and 2 intersecting, the distance each leaves, and W: 1116 operations.
 
     in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
     in   point[3] = (x, y, z)
@@ -1423,93 +1747,277 @@ def postures_intersecting(parameters, point):
     t39 = r2 + (t38 + np.where(t15 != 0.0, np.where(t3 != 0.0, sa3 * (d4 * t19), 0.0), 0.0))
     t40 = sa2 * t39
     t41 = np.where(t33 != 0.0, ca2 * t37, 0.0) - t40
-    t42 = np.arctan2((y * t36 - x * t41), x * t36 + y * t41)
-    t43 = np.arctan2(np.where(t15 != 0.0, np.where(t3 != 0.0, t19, 0.0), 0.0), np.where(t15 != 0.0, t16, 0.0))
-    t44 = t28 - t27
-    t45 = t30 + t31
-    t46 = np.sqrt((t44 * t44 + t45 * t45))
-    t47 = t44 / t46
-    t48 = t45 / t46
-    t49 = d2 + (np.where(t46 != 0.0, t17 * t47, 0.0) - np.where(t46 != 0.0, t21 * t48, 0.0))
-    t50 = t21 * t47 + t17 * t48
-    t51 = np.where(t46 != 0.0, ca2 * t50, 0.0) - t40
-    t52 = np.arctan2((y * t49 - x * t51), x * t49 + y * t51)
-    t53 = t4 - np.where(t3 != 0.0, (t8 - t10) / t3, 0.0)
-    t54 = (t12 + t13) / t3
-    t55 = np.sqrt((t53 * t53 + np.where(t3 != 0.0, np.where(t3 != 0.0, t54 * t54, 0.0), 0.0)))
-    t56 = t53 / t55
-    t57 = d3 + np.where(t55 != 0.0, d4 * t56, 0.0)
-    t58 = t54 / t55
-    t59 = np.where(t55 != 0.0, np.where(t3 != 0.0, -(t18 * t58), 0.0), 0.0) - t20
-    t60 = t57 * t57 + t59 * t59
-    t61 = (t23 + np.where(t55 != 0.0, np.where(t3 != 0.0, t24 * t58, 0.0), 0.0)) / sa2
-    t62 = np.sqrt(np.maximum(0.0, t60 - np.where(sa2 != 0.0, np.where(sa2 != 0.0, t61 * t61, 0.0), 0.0)))
-    t63 = t57 * t62
-    t64 = np.where(sa2 != 0.0, t59 * t61, 0.0)
-    t65 = t63 + t64
-    t66 = np.where(sa2 != 0.0, t57 * t61, 0.0)
-    t67 = t59 * t62
-    t68 = t66 - t67
-    t69 = np.sqrt((t65 * t65 + t68 * t68))
-    t70 = t65 / t69
-    t71 = t68 / t69
-    t72 = d2 + (np.where(t69 != 0.0, t57 * t70, 0.0) - np.where(t69 != 0.0, t59 * t71, 0.0))
-    t73 = t59 * t70 + t57 * t71
-    t74 = r2 + (t38 + np.where(t55 != 0.0, np.where(t3 != 0.0, -(sa3 * (d4 * t58)), 0.0), 0.0))
-    t75 = sa2 * t74
-    t76 = np.where(t69 != 0.0, ca2 * t73, 0.0) - t75
-    t77 = np.arctan2((y * t72 - x * t76), x * t72 + y * t76)
-    t78 = np.arctan2(np.where(t55 != 0.0, np.where(t3 != 0.0, -t58, 0.0), 0.0), np.where(t55 != 0.0, t56, 0.0))
-    t79 = t64 - t63
-    t80 = t66 + t67
-    t81 = np.sqrt((t79 * t79 + t80 * t80))
-    t82 = t79 / t81
-    t83 = t80 / t81
-    t84 = d2 + (np.where(t81 != 0.0, t57 * t82, 0.0) - np.where(t81 != 0.0, t59 * t83, 0.0))
-    t85 = t59 * t82 + t57 * t83
-    t86 = np.where(t81 != 0.0, ca2 * t85, 0.0) - t75
-    t87 = np.arctan2((y * t84 - x * t86), x * t84 + y * t86)
-    t88 = np.sqrt(t5)
-    t89 = np.sqrt((t36 * t36 + t41 * t41)) - t88
-    t90 = ca2 * t39
-    t91 = np.where(t33 != 0.0, sa2 * t37, 0.0) + t90 - z
-    t92 = np.sqrt((t49 * t49 + t51 * t51)) - t88
-    t93 = t90 + np.where(t46 != 0.0, sa2 * t50, 0.0) - z
-    t94 = np.sqrt((t72 * t72 + t76 * t76)) - t88
-    t95 = ca2 * t74
-    t96 = np.where(t69 != 0.0, sa2 * t73, 0.0) + t95 - z
-    t97 = np.sqrt((t84 * t84 + t86 * t86)) - t88
-    t98 = t95 + np.where(t81 != 0.0, sa2 * t85, 0.0) - z
+    t42 = x * t36 + y * t41
+    t43 = y * t36 - x * t41
+    t44 = -t42
+    t45 = np.maximum(t42, t44)
+    t46 = np.maximum(t43, -t43)
+    t47 = np.sqrt((t42 * t42 + t43 * t43)) + np.maximum(t45, t46)
+    t48 = np.minimum(t45, t46) / t47
+    t49 = t48 / (1 + np.sqrt((1 + np.where(t47 != 0.0, np.where(t47 != 0.0, t48 * t48, 0.0), 0.0))))
+    t50 = t49 * t49
+    t51 = np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (np.where(t47 != 0.0, np.where(t47 != 0.0, 0.047619047619047616 * t50, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t52 = np.where(t47 != 0.0, t50 * (np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.058823529411764705 + t51), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t53 = t50 * (np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.07692307692307693 + np.where(t47 != 0.0, t52, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t54 = np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.1111111111111111 + np.where(t47 != 0.0, np.where(t47 != 0.0, t53, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t55 = np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.2 + np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * t54, 0.0), 0.0)), 0.0), 0.0)
+    t56 = 4 * t49 * (1 + np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (t55 - 0.3333333333333333), 0.0), 0.0))
+    t57 = 0.5 * np.copysign(1, t46 - t45)
+    t58 = np.where(t47 != 0.0, t56 * (0.5 - t57), 0.0) + (0.5 + t57) * (1.5707963267948966 - np.where(t47 != 0.0, t56, 0.0))
+    t59 = 0.5 * np.copysign(1, t44)
+    t60 = np.copysign((t58 * (0.5 - t59) + (0.5 + t59) * (3.141592653589793 - t58)), t43)
+    t61 = np.where(t33 != 0.0, t34, 0.0)
+    t62 = -t61
+    t63 = np.maximum(t61, t62)
+    t64 = np.where(t33 != 0.0, t35, 0.0)
+    t65 = np.maximum(t64, -t64)
+    t66 = 1 + np.maximum(t63, t65)
+    t67 = np.minimum(t63, t65) / t66
+    t68 = t67 / (1 + np.sqrt((1 + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0))))
+    t69 = t68 * t68
+    t70 = np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (np.where(t66 != 0.0, np.where(t66 != 0.0, 0.047619047619047616 * t69, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t71 = np.where(t66 != 0.0, t69 * (np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.058823529411764705 + t70), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t72 = t69 * (np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.07692307692307693 + np.where(t66 != 0.0, t71, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t73 = np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.1111111111111111 + np.where(t66 != 0.0, np.where(t66 != 0.0, t72, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t74 = np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.2 + np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * t73, 0.0), 0.0)), 0.0), 0.0)
+    t75 = 4 * t68 * (1 + np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (t74 - 0.3333333333333333), 0.0), 0.0))
+    t76 = 0.5 * np.copysign(1, t65 - t63)
+    t77 = np.where(t66 != 0.0, t75 * (0.5 - t76), 0.0) + (0.5 + t76) * (1.5707963267948966 - np.where(t66 != 0.0, t75, 0.0))
+    t78 = 0.5 * np.copysign(1, t62)
+    t79 = np.copysign((t77 * (0.5 - t78) + (0.5 + t78) * (3.141592653589793 - t77)), t64)
+    t80 = np.where(t15 != 0.0, t16, 0.0)
+    t81 = -t80
+    t82 = np.maximum(t80, t81)
+    t83 = np.where(t15 != 0.0, np.where(t3 != 0.0, t19, 0.0), 0.0)
+    t84 = np.maximum(t83, -t83)
+    t85 = 1 + np.maximum(t82, t84)
+    t86 = np.minimum(t82, t84) / t85
+    t87 = t86 / (1 + np.sqrt((1 + np.where(t85 != 0.0, np.where(t85 != 0.0, t86 * t86, 0.0), 0.0))))
+    t88 = t87 * t87
+    t89 = np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (np.where(t85 != 0.0, np.where(t85 != 0.0, 0.047619047619047616 * t88, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t90 = np.where(t85 != 0.0, t88 * (np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.058823529411764705 + t89), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t91 = t88 * (np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.07692307692307693 + np.where(t85 != 0.0, t90, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t92 = np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.1111111111111111 + np.where(t85 != 0.0, np.where(t85 != 0.0, t91, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t93 = np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.2 + np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * t92, 0.0), 0.0)), 0.0), 0.0)
+    t94 = 4 * t87 * (1 + np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (t93 - 0.3333333333333333), 0.0), 0.0))
+    t95 = 0.5 * np.copysign(1, t84 - t82)
+    t96 = np.where(t85 != 0.0, t94 * (0.5 - t95), 0.0) + (0.5 + t95) * (1.5707963267948966 - np.where(t85 != 0.0, t94, 0.0))
+    t97 = 0.5 * np.copysign(1, t81)
+    t98 = np.copysign((t96 * (0.5 - t97) + (0.5 + t97) * (3.141592653589793 - t96)), t83)
+    t99 = t28 - t27
+    t100 = t30 + t31
+    t101 = np.sqrt((t99 * t99 + t100 * t100))
+    t102 = t99 / t101
+    t103 = t100 / t101
+    t104 = d2 + (np.where(t101 != 0.0, t17 * t102, 0.0) - np.where(t101 != 0.0, t21 * t103, 0.0))
+    t105 = t21 * t102 + t17 * t103
+    t106 = np.where(t101 != 0.0, ca2 * t105, 0.0) - t40
+    t107 = x * t104 + y * t106
+    t108 = y * t104 - x * t106
+    t109 = -t107
+    t110 = np.maximum(t107, t109)
+    t111 = np.maximum(t108, -t108)
+    t112 = np.sqrt((t107 * t107 + t108 * t108)) + np.maximum(t110, t111)
+    t113 = np.minimum(t110, t111) / t112
+    t114 = t113 / (1 + np.sqrt((1 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t113, 0.0), 0.0))))
+    t115 = t114 * t114
+    t116 = np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (np.where(t112 != 0.0, np.where(t112 != 0.0, 0.047619047619047616 * t115, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t117 = np.where(t112 != 0.0, t115 * (np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.058823529411764705 + t116), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t118 = t115 * (np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.07692307692307693 + np.where(t112 != 0.0, t117, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t119 = np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.1111111111111111 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t120 = np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.2 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t119, 0.0), 0.0)), 0.0), 0.0)
+    t121 = 4 * t114 * (1 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (t120 - 0.3333333333333333), 0.0), 0.0))
+    t122 = 0.5 * np.copysign(1, t111 - t110)
+    t123 = np.where(t112 != 0.0, t121 * (0.5 - t122), 0.0) + (0.5 + t122) * (1.5707963267948966 - np.where(t112 != 0.0, t121, 0.0))
+    t124 = 0.5 * np.copysign(1, t109)
+    t125 = np.copysign((t123 * (0.5 - t124) + (0.5 + t124) * (3.141592653589793 - t123)), t108)
+    t126 = np.where(t101 != 0.0, t102, 0.0)
+    t127 = -t126
+    t128 = np.maximum(t126, t127)
+    t129 = np.where(t101 != 0.0, t103, 0.0)
+    t130 = np.maximum(t129, -t129)
+    t131 = 1 + np.maximum(t128, t130)
+    t132 = np.minimum(t128, t130) / t131
+    t133 = t132 / (1 + np.sqrt((1 + np.where(t131 != 0.0, np.where(t131 != 0.0, t132 * t132, 0.0), 0.0))))
+    t134 = t133 * t133
+    t135 = np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (np.where(t131 != 0.0, np.where(t131 != 0.0, 0.047619047619047616 * t134, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t136 = np.where(t131 != 0.0, t134 * (np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.058823529411764705 + t135), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t137 = t134 * (np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.07692307692307693 + np.where(t131 != 0.0, t136, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t138 = np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.1111111111111111 + np.where(t131 != 0.0, np.where(t131 != 0.0, t137, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t139 = np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.2 + np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * t138, 0.0), 0.0)), 0.0), 0.0)
+    t140 = 4 * t133 * (1 + np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (t139 - 0.3333333333333333), 0.0), 0.0))
+    t141 = 0.5 * np.copysign(1, t130 - t128)
+    t142 = np.where(t131 != 0.0, t140 * (0.5 - t141), 0.0) + (0.5 + t141) * (1.5707963267948966 - np.where(t131 != 0.0, t140, 0.0))
+    t143 = 0.5 * np.copysign(1, t127)
+    t144 = np.copysign((t142 * (0.5 - t143) + (0.5 + t143) * (3.141592653589793 - t142)), t129)
+    t145 = t4 - np.where(t3 != 0.0, (t8 - t10) / t3, 0.0)
+    t146 = (t12 + t13) / t3
+    t147 = np.sqrt((t145 * t145 + np.where(t3 != 0.0, np.where(t3 != 0.0, t146 * t146, 0.0), 0.0)))
+    t148 = t145 / t147
+    t149 = d3 + np.where(t147 != 0.0, d4 * t148, 0.0)
+    t150 = t146 / t147
+    t151 = np.where(t147 != 0.0, np.where(t3 != 0.0, -(t18 * t150), 0.0), 0.0) - t20
+    t152 = t149 * t149 + t151 * t151
+    t153 = (t23 + np.where(t147 != 0.0, np.where(t3 != 0.0, t24 * t150, 0.0), 0.0)) / sa2
+    t154 = np.sqrt(np.maximum(0.0, t152 - np.where(sa2 != 0.0, np.where(sa2 != 0.0, t153 * t153, 0.0), 0.0)))
+    t155 = t149 * t154
+    t156 = np.where(sa2 != 0.0, t151 * t153, 0.0)
+    t157 = t155 + t156
+    t158 = np.where(sa2 != 0.0, t149 * t153, 0.0)
+    t159 = t151 * t154
+    t160 = t158 - t159
+    t161 = np.sqrt((t157 * t157 + t160 * t160))
+    t162 = t157 / t161
+    t163 = t160 / t161
+    t164 = d2 + (np.where(t161 != 0.0, t149 * t162, 0.0) - np.where(t161 != 0.0, t151 * t163, 0.0))
+    t165 = t151 * t162 + t149 * t163
+    t166 = r2 + (t38 + np.where(t147 != 0.0, np.where(t3 != 0.0, -(sa3 * (d4 * t150)), 0.0), 0.0))
+    t167 = sa2 * t166
+    t168 = np.where(t161 != 0.0, ca2 * t165, 0.0) - t167
+    t169 = x * t164 + y * t168
+    t170 = y * t164 - x * t168
+    t171 = -t169
+    t172 = np.maximum(t169, t171)
+    t173 = np.maximum(t170, -t170)
+    t174 = np.sqrt((t169 * t169 + t170 * t170)) + np.maximum(t172, t173)
+    t175 = np.minimum(t172, t173) / t174
+    t176 = t175 / (1 + np.sqrt((1 + np.where(t174 != 0.0, np.where(t174 != 0.0, t175 * t175, 0.0), 0.0))))
+    t177 = t176 * t176
+    t178 = np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (np.where(t174 != 0.0, np.where(t174 != 0.0, 0.047619047619047616 * t177, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t179 = np.where(t174 != 0.0, t177 * (np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.058823529411764705 + t178), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t180 = t177 * (np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.07692307692307693 + np.where(t174 != 0.0, t179, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t181 = np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.1111111111111111 + np.where(t174 != 0.0, np.where(t174 != 0.0, t180, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t182 = np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.2 + np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * t181, 0.0), 0.0)), 0.0), 0.0)
+    t183 = 4 * t176 * (1 + np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (t182 - 0.3333333333333333), 0.0), 0.0))
+    t184 = 0.5 * np.copysign(1, t173 - t172)
+    t185 = np.where(t174 != 0.0, t183 * (0.5 - t184), 0.0) + (0.5 + t184) * (1.5707963267948966 - np.where(t174 != 0.0, t183, 0.0))
+    t186 = 0.5 * np.copysign(1, t171)
+    t187 = np.copysign((t185 * (0.5 - t186) + (0.5 + t186) * (3.141592653589793 - t185)), t170)
+    t188 = np.where(t161 != 0.0, t162, 0.0)
+    t189 = -t188
+    t190 = np.maximum(t188, t189)
+    t191 = np.where(t161 != 0.0, t163, 0.0)
+    t192 = np.maximum(t191, -t191)
+    t193 = 1 + np.maximum(t190, t192)
+    t194 = np.minimum(t190, t192) / t193
+    t195 = t194 / (1 + np.sqrt((1 + np.where(t193 != 0.0, np.where(t193 != 0.0, t194 * t194, 0.0), 0.0))))
+    t196 = t195 * t195
+    t197 = np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (np.where(t193 != 0.0, np.where(t193 != 0.0, 0.047619047619047616 * t196, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t198 = np.where(t193 != 0.0, t196 * (np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.058823529411764705 + t197), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t199 = t196 * (np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.07692307692307693 + np.where(t193 != 0.0, t198, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t200 = np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.1111111111111111 + np.where(t193 != 0.0, np.where(t193 != 0.0, t199, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t201 = np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.2 + np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * t200, 0.0), 0.0)), 0.0), 0.0)
+    t202 = 4 * t195 * (1 + np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (t201 - 0.3333333333333333), 0.0), 0.0))
+    t203 = 0.5 * np.copysign(1, t192 - t190)
+    t204 = np.where(t193 != 0.0, t202 * (0.5 - t203), 0.0) + (0.5 + t203) * (1.5707963267948966 - np.where(t193 != 0.0, t202, 0.0))
+    t205 = 0.5 * np.copysign(1, t189)
+    t206 = np.copysign((t204 * (0.5 - t205) + (0.5 + t205) * (3.141592653589793 - t204)), t191)
+    t207 = np.where(t147 != 0.0, t148, 0.0)
+    t208 = -t207
+    t209 = np.maximum(t207, t208)
+    t210 = np.where(t147 != 0.0, np.where(t3 != 0.0, -t150, 0.0), 0.0)
+    t211 = np.maximum(t210, -t210)
+    t212 = 1 + np.maximum(t209, t211)
+    t213 = np.minimum(t209, t211) / t212
+    t214 = t213 / (1 + np.sqrt((1 + np.where(t212 != 0.0, np.where(t212 != 0.0, t213 * t213, 0.0), 0.0))))
+    t215 = t214 * t214
+    t216 = np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (np.where(t212 != 0.0, np.where(t212 != 0.0, 0.047619047619047616 * t215, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t217 = np.where(t212 != 0.0, t215 * (np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.058823529411764705 + t216), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t218 = t215 * (np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.07692307692307693 + np.where(t212 != 0.0, t217, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t219 = np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.1111111111111111 + np.where(t212 != 0.0, np.where(t212 != 0.0, t218, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t220 = np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.2 + np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * t219, 0.0), 0.0)), 0.0), 0.0)
+    t221 = 4 * t214 * (1 + np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (t220 - 0.3333333333333333), 0.0), 0.0))
+    t222 = 0.5 * np.copysign(1, t211 - t209)
+    t223 = np.where(t212 != 0.0, t221 * (0.5 - t222), 0.0) + (0.5 + t222) * (1.5707963267948966 - np.where(t212 != 0.0, t221, 0.0))
+    t224 = 0.5 * np.copysign(1, t208)
+    t225 = np.copysign((t223 * (0.5 - t224) + (0.5 + t224) * (3.141592653589793 - t223)), t210)
+    t226 = t156 - t155
+    t227 = t158 + t159
+    t228 = np.sqrt((t226 * t226 + t227 * t227))
+    t229 = t226 / t228
+    t230 = t227 / t228
+    t231 = d2 + (np.where(t228 != 0.0, t149 * t229, 0.0) - np.where(t228 != 0.0, t151 * t230, 0.0))
+    t232 = t151 * t229 + t149 * t230
+    t233 = np.where(t228 != 0.0, ca2 * t232, 0.0) - t167
+    t234 = x * t231 + y * t233
+    t235 = y * t231 - x * t233
+    t236 = -t234
+    t237 = np.maximum(t234, t236)
+    t238 = np.maximum(t235, -t235)
+    t239 = np.sqrt((t234 * t234 + t235 * t235)) + np.maximum(t237, t238)
+    t240 = np.minimum(t237, t238) / t239
+    t241 = t240 / (1 + np.sqrt((1 + np.where(t239 != 0.0, np.where(t239 != 0.0, t240 * t240, 0.0), 0.0))))
+    t242 = t241 * t241
+    t243 = np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (np.where(t239 != 0.0, np.where(t239 != 0.0, 0.047619047619047616 * t242, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t244 = np.where(t239 != 0.0, t242 * (np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.058823529411764705 + t243), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t245 = t242 * (np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.07692307692307693 + np.where(t239 != 0.0, t244, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t246 = np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.1111111111111111 + np.where(t239 != 0.0, np.where(t239 != 0.0, t245, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t247 = np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.2 + np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * t246, 0.0), 0.0)), 0.0), 0.0)
+    t248 = 4 * t241 * (1 + np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (t247 - 0.3333333333333333), 0.0), 0.0))
+    t249 = 0.5 * np.copysign(1, t238 - t237)
+    t250 = np.where(t239 != 0.0, t248 * (0.5 - t249), 0.0) + (0.5 + t249) * (1.5707963267948966 - np.where(t239 != 0.0, t248, 0.0))
+    t251 = 0.5 * np.copysign(1, t236)
+    t252 = np.copysign((t250 * (0.5 - t251) + (0.5 + t251) * (3.141592653589793 - t250)), t235)
+    t253 = np.where(t228 != 0.0, t229, 0.0)
+    t254 = -t253
+    t255 = np.maximum(t253, t254)
+    t256 = np.where(t228 != 0.0, t230, 0.0)
+    t257 = np.maximum(t256, -t256)
+    t258 = 1 + np.maximum(t255, t257)
+    t259 = np.minimum(t255, t257) / t258
+    t260 = t259 / (1 + np.sqrt((1 + np.where(t258 != 0.0, np.where(t258 != 0.0, t259 * t259, 0.0), 0.0))))
+    t261 = t260 * t260
+    t262 = np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (np.where(t258 != 0.0, np.where(t258 != 0.0, 0.047619047619047616 * t261, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t263 = np.where(t258 != 0.0, t261 * (np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.058823529411764705 + t262), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t264 = t261 * (np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.07692307692307693 + np.where(t258 != 0.0, t263, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t265 = np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.1111111111111111 + np.where(t258 != 0.0, np.where(t258 != 0.0, t264, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t266 = np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.2 + np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * t265, 0.0), 0.0)), 0.0), 0.0)
+    t267 = 4 * t260 * (1 + np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (t266 - 0.3333333333333333), 0.0), 0.0))
+    t268 = 0.5 * np.copysign(1, t257 - t255)
+    t269 = np.where(t258 != 0.0, t267 * (0.5 - t268), 0.0) + (0.5 + t268) * (1.5707963267948966 - np.where(t258 != 0.0, t267, 0.0))
+    t270 = 0.5 * np.copysign(1, t254)
+    t271 = np.copysign((t269 * (0.5 - t270) + (0.5 + t270) * (3.141592653589793 - t269)), t256)
+    t272 = np.sqrt(t5)
+    t273 = np.sqrt((t36 * t36 + t41 * t41)) - t272
+    t274 = ca2 * t39
+    t275 = np.where(t33 != 0.0, sa2 * t37, 0.0) + t274 - z
+    t276 = np.sqrt((t104 * t104 + t106 * t106)) - t272
+    t277 = t274 + np.where(t101 != 0.0, sa2 * t105, 0.0) - z
+    t278 = np.sqrt((t164 * t164 + t168 * t168)) - t272
+    t279 = ca2 * t166
+    t280 = np.where(t161 != 0.0, sa2 * t165, 0.0) + t279 - z
+    t281 = np.sqrt((t231 * t231 + t233 * t233)) - t272
+    t282 = t279 + np.where(t228 != 0.0, sa2 * t232, 0.0) - z
 
     # results
     angles = np.empty((*_leading, 12), _real)
     closure = np.empty((*_leading, 4), _real)
     width = np.empty((*_leading, 4), _real)
-    angles[..., 0] = t42
-    angles[..., 1] = np.arctan2(np.where(t33 != 0.0, t35, 0.0), np.where(t33 != 0.0, t34, 0.0))
-    angles[..., 2] = t43
-    angles[..., 3] = t52
-    angles[..., 4] = np.arctan2(np.where(t46 != 0.0, t48, 0.0), np.where(t46 != 0.0, t47, 0.0))
-    angles[..., 5] = t43
-    angles[..., 6] = t77
-    angles[..., 7] = np.arctan2(np.where(t69 != 0.0, t71, 0.0), np.where(t69 != 0.0, t70, 0.0))
-    angles[..., 8] = t78
-    angles[..., 9] = t87
-    angles[..., 10] = np.arctan2(np.where(t81 != 0.0, t83, 0.0), np.where(t81 != 0.0, t82, 0.0))
-    angles[..., 11] = t78
-    closure[..., 0] = np.sqrt((t89 * t89 + t91 * t91))
-    closure[..., 1] = np.sqrt((t92 * t92 + t93 * t93))
-    closure[..., 2] = np.sqrt((t94 * t94 + t96 * t96))
-    closure[..., 3] = np.sqrt((t97 * t97 + t98 * t98))
+    angles[..., 0] = t60
+    angles[..., 1] = t79
+    angles[..., 2] = t98
+    angles[..., 3] = t125
+    angles[..., 4] = t144
+    angles[..., 5] = t98
+    angles[..., 6] = t187
+    angles[..., 7] = t206
+    angles[..., 8] = t225
+    angles[..., 9] = t252
+    angles[..., 10] = t271
+    angles[..., 11] = t225
+    closure[..., 0] = np.sqrt((t273 * t273 + t275 * t275))
+    closure[..., 1] = np.sqrt((t276 * t276 + t277 * t277))
+    closure[..., 2] = np.sqrt((t278 * t278 + t280 * t280))
+    closure[..., 3] = np.sqrt((t281 * t281 + t282 * t282))
     width[..., 0] = t22
     width[..., 1] = t22
-    width[..., 2] = t60
-    width[..., 3] = t60
+    width[..., 2] = t152
+    width[..., 3] = t152
     return angles.reshape(_leading + (4, 3)), closure.reshape(_leading + (4,)), width.reshape(_leading + (4,))
 
 
 def postures_parallel(parameters, point):
-    """the postures of an arm with axes 1 and 2 parallel, the distance each leaves, and W: 324 operations.
+    """the postures of an arm with axes 1 and 2 parallel, the distance each leaves, and W: 1110 operations.
 
     in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
     in   point[3] = (x, y, z)
@@ -1578,88 +2086,272 @@ def postures_parallel(parameters, point):
     t39 = r2 + (t38 + np.where(t11 != 0.0, -(sa3 * (d4 * t19)), 0.0))
     t40 = sa2 * t39
     t41 = np.where(t33 != 0.0, ca2 * t37, 0.0) - t40
-    t42 = np.arctan2((y * t36 - x * t41), x * t36 + y * t41)
-    t43 = np.arctan2(np.where(t11 != 0.0, -t19, 0.0), np.where(t11 != 0.0, t12, 0.0))
-    t44 = t22 - t28
-    t45 = t30 + t31
-    t46 = np.sqrt((t44 * t44 + t45 * t45))
-    t47 = t44 / t46
-    t48 = t45 / t46
-    t49 = d2 + (np.where(t46 != 0.0, t13 * t47, 0.0) - np.where(t46 != 0.0, -(t25 * t48), 0.0))
-    t50 = t25 * t47 - t13 * t48
-    t51 = np.where(t46 != 0.0, ca2 * t50, 0.0) - t40
-    t52 = np.arctan2((y * t49 - x * t51), x * t49 + y * t51)
-    t53 = t4 + t7
-    t54 = np.sqrt((t10 + t53 * t53))
-    t55 = t53 / t54
-    t56 = d3 + np.where(t54 != 0.0, d4 * t55, 0.0)
-    t57 = t9 / t54
-    t58 = t16 + np.where(t54 != 0.0, t17 * t55, 0.0) + np.where(t54 != 0.0, -(t18 * t57), 0.0)
-    t59 = t58 / t1
-    t60 = np.where(t1 != 0.0, t56 * t59, 0.0)
-    t61 = np.where(t54 != 0.0, -(t23 * t57), 0.0) - t24
-    t62 = t56 * t56 + t61 * t61
-    t63 = np.sqrt(np.maximum(0.0, t62 - np.where(t1 != 0.0, np.where(t1 != 0.0, t59 * t59, 0.0), 0.0)))
-    t64 = t61 * t63
-    t65 = t60 + t64
-    t66 = t56 * t63
-    t67 = np.where(t1 != 0.0, t59 * t61, 0.0)
-    t68 = t66 - t67
-    t69 = np.sqrt((t65 * t65 + t68 * t68))
-    t70 = t65 / t69
-    t71 = t68 / t69
-    t72 = d2 + (np.where(t69 != 0.0, t56 * t70, 0.0) - np.where(t69 != 0.0, t61 * t71, 0.0))
-    t73 = t61 * t70 + t56 * t71
-    t74 = r2 + (t38 + np.where(t54 != 0.0, -(sa3 * (d4 * t57)), 0.0))
-    t75 = sa2 * t74
-    t76 = np.where(t69 != 0.0, ca2 * t73, 0.0) - t75
-    t77 = np.arctan2((y * t72 - x * t76), x * t72 + y * t76)
-    t78 = np.arctan2(np.where(t54 != 0.0, -t57, 0.0), np.where(t54 != 0.0, t55, 0.0))
-    t79 = t60 - t64
-    t80 = t66 + t67
-    t81 = np.sqrt((t79 * t79 + t80 * t80))
-    t82 = t79 / t81
-    t83 = t80 / t81
-    t84 = d2 + (np.where(t81 != 0.0, t56 * t82, 0.0) - np.where(t81 != 0.0, -(t61 * t83), 0.0))
-    t85 = t61 * t82 - t56 * t83
-    t86 = np.where(t81 != 0.0, ca2 * t85, 0.0) - t75
-    t87 = np.arctan2((y * t84 - x * t86), x * t84 + y * t86)
-    t88 = np.sqrt(t14)
-    t89 = np.sqrt((t36 * t36 + t41 * t41)) - t88
-    t90 = ca2 * t39
-    t91 = np.where(t33 != 0.0, t37 * sa2, 0.0) + t90 - z
-    t92 = np.sqrt((t49 * t49 + t51 * t51)) - t88
-    t93 = t90 + np.where(t46 != 0.0, sa2 * t50, 0.0) - z
-    t94 = np.sqrt((t72 * t72 + t76 * t76)) - t88
-    t95 = ca2 * t74
-    t96 = np.where(t69 != 0.0, sa2 * t73, 0.0) + t95 - z
-    t97 = np.sqrt((t84 * t84 + t86 * t86)) - t88
-    t98 = t95 + np.where(t81 != 0.0, sa2 * t85, 0.0) - z
+    t42 = x * t36 + y * t41
+    t43 = y * t36 - x * t41
+    t44 = -t42
+    t45 = np.maximum(t42, t44)
+    t46 = np.maximum(t43, -t43)
+    t47 = np.sqrt((t42 * t42 + t43 * t43)) + np.maximum(t45, t46)
+    t48 = np.minimum(t45, t46) / t47
+    t49 = t48 / (1 + np.sqrt((1 + np.where(t47 != 0.0, np.where(t47 != 0.0, t48 * t48, 0.0), 0.0))))
+    t50 = t49 * t49
+    t51 = np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (np.where(t47 != 0.0, np.where(t47 != 0.0, 0.047619047619047616 * t50, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t52 = np.where(t47 != 0.0, t50 * (np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.058823529411764705 + t51), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t53 = t50 * (np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.07692307692307693 + np.where(t47 != 0.0, t52, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t54 = np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.1111111111111111 + np.where(t47 != 0.0, np.where(t47 != 0.0, t53, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t55 = np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (0.2 + np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * t54, 0.0), 0.0)), 0.0), 0.0)
+    t56 = 4 * t49 * (1 + np.where(t47 != 0.0, np.where(t47 != 0.0, t50 * (t55 - 0.3333333333333333), 0.0), 0.0))
+    t57 = 0.5 * np.copysign(1, t46 - t45)
+    t58 = np.where(t47 != 0.0, t56 * (0.5 - t57), 0.0) + (0.5 + t57) * (1.5707963267948966 - np.where(t47 != 0.0, t56, 0.0))
+    t59 = 0.5 * np.copysign(1, t44)
+    t60 = np.copysign((t58 * (0.5 - t59) + (0.5 + t59) * (3.141592653589793 - t58)), t43)
+    t61 = np.where(t33 != 0.0, t34, 0.0)
+    t62 = -t61
+    t63 = np.maximum(t61, t62)
+    t64 = np.where(t33 != 0.0, t35, 0.0)
+    t65 = np.maximum(t64, -t64)
+    t66 = 1 + np.maximum(t63, t65)
+    t67 = np.minimum(t63, t65) / t66
+    t68 = t67 / (1 + np.sqrt((1 + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0))))
+    t69 = t68 * t68
+    t70 = np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (np.where(t66 != 0.0, np.where(t66 != 0.0, 0.047619047619047616 * t69, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t71 = np.where(t66 != 0.0, t69 * (np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.058823529411764705 + t70), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t72 = t69 * (np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.07692307692307693 + np.where(t66 != 0.0, t71, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t73 = np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.1111111111111111 + np.where(t66 != 0.0, np.where(t66 != 0.0, t72, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t74 = np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (0.2 + np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * t73, 0.0), 0.0)), 0.0), 0.0)
+    t75 = 4 * t68 * (1 + np.where(t66 != 0.0, np.where(t66 != 0.0, t69 * (t74 - 0.3333333333333333), 0.0), 0.0))
+    t76 = 0.5 * np.copysign(1, t65 - t63)
+    t77 = np.where(t66 != 0.0, t75 * (0.5 - t76), 0.0) + (0.5 + t76) * (1.5707963267948966 - np.where(t66 != 0.0, t75, 0.0))
+    t78 = 0.5 * np.copysign(1, t62)
+    t79 = np.copysign((t77 * (0.5 - t78) + (0.5 + t78) * (3.141592653589793 - t77)), t64)
+    t80 = np.where(t11 != 0.0, t12, 0.0)
+    t81 = -t80
+    t82 = np.maximum(t80, t81)
+    t83 = np.where(t11 != 0.0, -t19, 0.0)
+    t84 = np.maximum(t83, -t83)
+    t85 = 1 + np.maximum(t82, t84)
+    t86 = np.minimum(t82, t84) / t85
+    t87 = t86 / (1 + np.sqrt((1 + np.where(t85 != 0.0, np.where(t85 != 0.0, t86 * t86, 0.0), 0.0))))
+    t88 = t87 * t87
+    t89 = np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (np.where(t85 != 0.0, np.where(t85 != 0.0, 0.047619047619047616 * t88, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t90 = np.where(t85 != 0.0, t88 * (np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.058823529411764705 + t89), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t91 = t88 * (np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.07692307692307693 + np.where(t85 != 0.0, t90, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t92 = np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.1111111111111111 + np.where(t85 != 0.0, np.where(t85 != 0.0, t91, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t93 = np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (0.2 + np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * t92, 0.0), 0.0)), 0.0), 0.0)
+    t94 = 4 * t87 * (1 + np.where(t85 != 0.0, np.where(t85 != 0.0, t88 * (t93 - 0.3333333333333333), 0.0), 0.0))
+    t95 = 0.5 * np.copysign(1, t84 - t82)
+    t96 = np.where(t85 != 0.0, t94 * (0.5 - t95), 0.0) + (0.5 + t95) * (1.5707963267948966 - np.where(t85 != 0.0, t94, 0.0))
+    t97 = 0.5 * np.copysign(1, t81)
+    t98 = np.copysign((t96 * (0.5 - t97) + (0.5 + t97) * (3.141592653589793 - t96)), t83)
+    t99 = t22 - t28
+    t100 = t30 + t31
+    t101 = np.sqrt((t99 * t99 + t100 * t100))
+    t102 = t99 / t101
+    t103 = t100 / t101
+    t104 = d2 + (np.where(t101 != 0.0, t13 * t102, 0.0) - np.where(t101 != 0.0, -(t25 * t103), 0.0))
+    t105 = t25 * t102 - t13 * t103
+    t106 = np.where(t101 != 0.0, ca2 * t105, 0.0) - t40
+    t107 = x * t104 + y * t106
+    t108 = y * t104 - x * t106
+    t109 = -t107
+    t110 = np.maximum(t107, t109)
+    t111 = np.maximum(t108, -t108)
+    t112 = np.sqrt((t107 * t107 + t108 * t108)) + np.maximum(t110, t111)
+    t113 = np.minimum(t110, t111) / t112
+    t114 = t113 / (1 + np.sqrt((1 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t113, 0.0), 0.0))))
+    t115 = t114 * t114
+    t116 = np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (np.where(t112 != 0.0, np.where(t112 != 0.0, 0.047619047619047616 * t115, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t117 = np.where(t112 != 0.0, t115 * (np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.058823529411764705 + t116), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t118 = t115 * (np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.07692307692307693 + np.where(t112 != 0.0, t117, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t119 = np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.1111111111111111 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t120 = np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (0.2 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t119, 0.0), 0.0)), 0.0), 0.0)
+    t121 = 4 * t114 * (1 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * (t120 - 0.3333333333333333), 0.0), 0.0))
+    t122 = 0.5 * np.copysign(1, t111 - t110)
+    t123 = np.where(t112 != 0.0, t121 * (0.5 - t122), 0.0) + (0.5 + t122) * (1.5707963267948966 - np.where(t112 != 0.0, t121, 0.0))
+    t124 = 0.5 * np.copysign(1, t109)
+    t125 = np.copysign((t123 * (0.5 - t124) + (0.5 + t124) * (3.141592653589793 - t123)), t108)
+    t126 = np.where(t101 != 0.0, t102, 0.0)
+    t127 = -t126
+    t128 = np.maximum(t126, t127)
+    t129 = np.where(t101 != 0.0, -t103, 0.0)
+    t130 = np.maximum(t129, -t129)
+    t131 = 1 + np.maximum(t128, t130)
+    t132 = np.minimum(t128, t130) / t131
+    t133 = t132 / (1 + np.sqrt((1 + np.where(t131 != 0.0, np.where(t131 != 0.0, t132 * t132, 0.0), 0.0))))
+    t134 = t133 * t133
+    t135 = np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (np.where(t131 != 0.0, np.where(t131 != 0.0, 0.047619047619047616 * t134, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t136 = np.where(t131 != 0.0, t134 * (np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.058823529411764705 + t135), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t137 = t134 * (np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.07692307692307693 + np.where(t131 != 0.0, t136, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t138 = np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.1111111111111111 + np.where(t131 != 0.0, np.where(t131 != 0.0, t137, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t139 = np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (0.2 + np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * t138, 0.0), 0.0)), 0.0), 0.0)
+    t140 = 4 * t133 * (1 + np.where(t131 != 0.0, np.where(t131 != 0.0, t134 * (t139 - 0.3333333333333333), 0.0), 0.0))
+    t141 = 0.5 * np.copysign(1, t130 - t128)
+    t142 = np.where(t131 != 0.0, t140 * (0.5 - t141), 0.0) + (0.5 + t141) * (1.5707963267948966 - np.where(t131 != 0.0, t140, 0.0))
+    t143 = 0.5 * np.copysign(1, t127)
+    t144 = np.copysign((t142 * (0.5 - t143) + (0.5 + t143) * (3.141592653589793 - t142)), t129)
+    t145 = t4 + t7
+    t146 = np.sqrt((t10 + t145 * t145))
+    t147 = t145 / t146
+    t148 = d3 + np.where(t146 != 0.0, d4 * t147, 0.0)
+    t149 = t9 / t146
+    t150 = t16 + np.where(t146 != 0.0, t17 * t147, 0.0) + np.where(t146 != 0.0, -(t18 * t149), 0.0)
+    t151 = t150 / t1
+    t152 = np.where(t1 != 0.0, t148 * t151, 0.0)
+    t153 = np.where(t146 != 0.0, -(t23 * t149), 0.0) - t24
+    t154 = t148 * t148 + t153 * t153
+    t155 = np.sqrt(np.maximum(0.0, t154 - np.where(t1 != 0.0, np.where(t1 != 0.0, t151 * t151, 0.0), 0.0)))
+    t156 = t153 * t155
+    t157 = t152 + t156
+    t158 = t148 * t155
+    t159 = np.where(t1 != 0.0, t151 * t153, 0.0)
+    t160 = t158 - t159
+    t161 = np.sqrt((t157 * t157 + t160 * t160))
+    t162 = t157 / t161
+    t163 = t160 / t161
+    t164 = d2 + (np.where(t161 != 0.0, t148 * t162, 0.0) - np.where(t161 != 0.0, t153 * t163, 0.0))
+    t165 = t153 * t162 + t148 * t163
+    t166 = r2 + (t38 + np.where(t146 != 0.0, -(sa3 * (d4 * t149)), 0.0))
+    t167 = sa2 * t166
+    t168 = np.where(t161 != 0.0, ca2 * t165, 0.0) - t167
+    t169 = x * t164 + y * t168
+    t170 = y * t164 - x * t168
+    t171 = -t169
+    t172 = np.maximum(t169, t171)
+    t173 = np.maximum(t170, -t170)
+    t174 = np.sqrt((t169 * t169 + t170 * t170)) + np.maximum(t172, t173)
+    t175 = np.minimum(t172, t173) / t174
+    t176 = t175 / (1 + np.sqrt((1 + np.where(t174 != 0.0, np.where(t174 != 0.0, t175 * t175, 0.0), 0.0))))
+    t177 = t176 * t176
+    t178 = np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (np.where(t174 != 0.0, np.where(t174 != 0.0, 0.047619047619047616 * t177, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t179 = np.where(t174 != 0.0, t177 * (np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.058823529411764705 + t178), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t180 = t177 * (np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.07692307692307693 + np.where(t174 != 0.0, t179, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t181 = np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.1111111111111111 + np.where(t174 != 0.0, np.where(t174 != 0.0, t180, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t182 = np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (0.2 + np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * t181, 0.0), 0.0)), 0.0), 0.0)
+    t183 = 4 * t176 * (1 + np.where(t174 != 0.0, np.where(t174 != 0.0, t177 * (t182 - 0.3333333333333333), 0.0), 0.0))
+    t184 = 0.5 * np.copysign(1, t173 - t172)
+    t185 = np.where(t174 != 0.0, t183 * (0.5 - t184), 0.0) + (0.5 + t184) * (1.5707963267948966 - np.where(t174 != 0.0, t183, 0.0))
+    t186 = 0.5 * np.copysign(1, t171)
+    t187 = np.copysign((t185 * (0.5 - t186) + (0.5 + t186) * (3.141592653589793 - t185)), t170)
+    t188 = np.where(t161 != 0.0, t162, 0.0)
+    t189 = -t188
+    t190 = np.maximum(t188, t189)
+    t191 = np.where(t161 != 0.0, t163, 0.0)
+    t192 = np.maximum(t191, -t191)
+    t193 = 1 + np.maximum(t190, t192)
+    t194 = np.minimum(t190, t192) / t193
+    t195 = t194 / (1 + np.sqrt((1 + np.where(t193 != 0.0, np.where(t193 != 0.0, t194 * t194, 0.0), 0.0))))
+    t196 = t195 * t195
+    t197 = np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (np.where(t193 != 0.0, np.where(t193 != 0.0, 0.047619047619047616 * t196, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t198 = np.where(t193 != 0.0, t196 * (np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.058823529411764705 + t197), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t199 = t196 * (np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.07692307692307693 + np.where(t193 != 0.0, t198, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t200 = np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.1111111111111111 + np.where(t193 != 0.0, np.where(t193 != 0.0, t199, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t201 = np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (0.2 + np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * t200, 0.0), 0.0)), 0.0), 0.0)
+    t202 = 4 * t195 * (1 + np.where(t193 != 0.0, np.where(t193 != 0.0, t196 * (t201 - 0.3333333333333333), 0.0), 0.0))
+    t203 = 0.5 * np.copysign(1, t192 - t190)
+    t204 = np.where(t193 != 0.0, t202 * (0.5 - t203), 0.0) + (0.5 + t203) * (1.5707963267948966 - np.where(t193 != 0.0, t202, 0.0))
+    t205 = 0.5 * np.copysign(1, t189)
+    t206 = np.copysign((t204 * (0.5 - t205) + (0.5 + t205) * (3.141592653589793 - t204)), t191)
+    t207 = np.where(t146 != 0.0, t147, 0.0)
+    t208 = -t207
+    t209 = np.maximum(t207, t208)
+    t210 = np.where(t146 != 0.0, -t149, 0.0)
+    t211 = np.maximum(t210, -t210)
+    t212 = 1 + np.maximum(t209, t211)
+    t213 = np.minimum(t209, t211) / t212
+    t214 = t213 / (1 + np.sqrt((1 + np.where(t212 != 0.0, np.where(t212 != 0.0, t213 * t213, 0.0), 0.0))))
+    t215 = t214 * t214
+    t216 = np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (np.where(t212 != 0.0, np.where(t212 != 0.0, 0.047619047619047616 * t215, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t217 = np.where(t212 != 0.0, t215 * (np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.058823529411764705 + t216), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t218 = t215 * (np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.07692307692307693 + np.where(t212 != 0.0, t217, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t219 = np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.1111111111111111 + np.where(t212 != 0.0, np.where(t212 != 0.0, t218, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t220 = np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (0.2 + np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * t219, 0.0), 0.0)), 0.0), 0.0)
+    t221 = 4 * t214 * (1 + np.where(t212 != 0.0, np.where(t212 != 0.0, t215 * (t220 - 0.3333333333333333), 0.0), 0.0))
+    t222 = 0.5 * np.copysign(1, t211 - t209)
+    t223 = np.where(t212 != 0.0, t221 * (0.5 - t222), 0.0) + (0.5 + t222) * (1.5707963267948966 - np.where(t212 != 0.0, t221, 0.0))
+    t224 = 0.5 * np.copysign(1, t208)
+    t225 = np.copysign((t223 * (0.5 - t224) + (0.5 + t224) * (3.141592653589793 - t223)), t210)
+    t226 = t152 - t156
+    t227 = t158 + t159
+    t228 = np.sqrt((t226 * t226 + t227 * t227))
+    t229 = t226 / t228
+    t230 = t227 / t228
+    t231 = d2 + (np.where(t228 != 0.0, t148 * t229, 0.0) - np.where(t228 != 0.0, -(t153 * t230), 0.0))
+    t232 = t153 * t229 - t148 * t230
+    t233 = np.where(t228 != 0.0, ca2 * t232, 0.0) - t167
+    t234 = x * t231 + y * t233
+    t235 = y * t231 - x * t233
+    t236 = -t234
+    t237 = np.maximum(t234, t236)
+    t238 = np.maximum(t235, -t235)
+    t239 = np.sqrt((t234 * t234 + t235 * t235)) + np.maximum(t237, t238)
+    t240 = np.minimum(t237, t238) / t239
+    t241 = t240 / (1 + np.sqrt((1 + np.where(t239 != 0.0, np.where(t239 != 0.0, t240 * t240, 0.0), 0.0))))
+    t242 = t241 * t241
+    t243 = np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (np.where(t239 != 0.0, np.where(t239 != 0.0, 0.047619047619047616 * t242, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t244 = np.where(t239 != 0.0, t242 * (np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.058823529411764705 + t243), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t245 = t242 * (np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.07692307692307693 + np.where(t239 != 0.0, t244, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t246 = np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.1111111111111111 + np.where(t239 != 0.0, np.where(t239 != 0.0, t245, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t247 = np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (0.2 + np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * t246, 0.0), 0.0)), 0.0), 0.0)
+    t248 = 4 * t241 * (1 + np.where(t239 != 0.0, np.where(t239 != 0.0, t242 * (t247 - 0.3333333333333333), 0.0), 0.0))
+    t249 = 0.5 * np.copysign(1, t238 - t237)
+    t250 = np.where(t239 != 0.0, t248 * (0.5 - t249), 0.0) + (0.5 + t249) * (1.5707963267948966 - np.where(t239 != 0.0, t248, 0.0))
+    t251 = 0.5 * np.copysign(1, t236)
+    t252 = np.copysign((t250 * (0.5 - t251) + (0.5 + t251) * (3.141592653589793 - t250)), t235)
+    t253 = np.where(t228 != 0.0, t229, 0.0)
+    t254 = -t253
+    t255 = np.maximum(t253, t254)
+    t256 = np.where(t228 != 0.0, -t230, 0.0)
+    t257 = np.maximum(t256, -t256)
+    t258 = 1 + np.maximum(t255, t257)
+    t259 = np.minimum(t255, t257) / t258
+    t260 = t259 / (1 + np.sqrt((1 + np.where(t258 != 0.0, np.where(t258 != 0.0, t259 * t259, 0.0), 0.0))))
+    t261 = t260 * t260
+    t262 = np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (np.where(t258 != 0.0, np.where(t258 != 0.0, 0.047619047619047616 * t261, 0.0), 0.0) - 0.05263157894736842), 0.0), 0.0)
+    t263 = np.where(t258 != 0.0, t261 * (np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.058823529411764705 + t262), 0.0), 0.0) - 0.06666666666666667), 0.0)
+    t264 = t261 * (np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.07692307692307693 + np.where(t258 != 0.0, t263, 0.0)), 0.0), 0.0) - 0.09090909090909091)
+    t265 = np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.1111111111111111 + np.where(t258 != 0.0, np.where(t258 != 0.0, t264, 0.0), 0.0)), 0.0), 0.0) - 0.14285714285714285
+    t266 = np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (0.2 + np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * t265, 0.0), 0.0)), 0.0), 0.0)
+    t267 = 4 * t260 * (1 + np.where(t258 != 0.0, np.where(t258 != 0.0, t261 * (t266 - 0.3333333333333333), 0.0), 0.0))
+    t268 = 0.5 * np.copysign(1, t257 - t255)
+    t269 = np.where(t258 != 0.0, t267 * (0.5 - t268), 0.0) + (0.5 + t268) * (1.5707963267948966 - np.where(t258 != 0.0, t267, 0.0))
+    t270 = 0.5 * np.copysign(1, t254)
+    t271 = np.copysign((t269 * (0.5 - t270) + (0.5 + t270) * (3.141592653589793 - t269)), t256)
+    t272 = np.sqrt(t14)
+    t273 = np.sqrt((t36 * t36 + t41 * t41)) - t272
+    t274 = ca2 * t39
+    t275 = np.where(t33 != 0.0, t37 * sa2, 0.0) + t274 - z
+    t276 = np.sqrt((t104 * t104 + t106 * t106)) - t272
+    t277 = t274 + np.where(t101 != 0.0, sa2 * t105, 0.0) - z
+    t278 = np.sqrt((t164 * t164 + t168 * t168)) - t272
+    t279 = ca2 * t166
+    t280 = np.where(t161 != 0.0, sa2 * t165, 0.0) + t279 - z
+    t281 = np.sqrt((t231 * t231 + t233 * t233)) - t272
+    t282 = t279 + np.where(t228 != 0.0, sa2 * t232, 0.0) - z
 
     # results
     angles = np.empty((*_leading, 12), _real)
     closure = np.empty((*_leading, 4), _real)
     width = np.empty((*_leading, 4), _real)
-    angles[..., 0] = t42
-    angles[..., 1] = np.arctan2(np.where(t33 != 0.0, t35, 0.0), np.where(t33 != 0.0, t34, 0.0))
-    angles[..., 2] = t43
-    angles[..., 3] = t52
-    angles[..., 4] = np.arctan2(np.where(t46 != 0.0, -t48, 0.0), np.where(t46 != 0.0, t47, 0.0))
-    angles[..., 5] = t43
-    angles[..., 6] = t77
-    angles[..., 7] = np.arctan2(np.where(t69 != 0.0, t71, 0.0), np.where(t69 != 0.0, t70, 0.0))
-    angles[..., 8] = t78
-    angles[..., 9] = t87
-    angles[..., 10] = np.arctan2(np.where(t81 != 0.0, -t83, 0.0), np.where(t81 != 0.0, t82, 0.0))
-    angles[..., 11] = t78
-    closure[..., 0] = np.sqrt((t89 * t89 + t91 * t91))
-    closure[..., 1] = np.sqrt((t92 * t92 + t93 * t93))
-    closure[..., 2] = np.sqrt((t94 * t94 + t96 * t96))
-    closure[..., 3] = np.sqrt((t97 * t97 + t98 * t98))
+    angles[..., 0] = t60
+    angles[..., 1] = t79
+    angles[..., 2] = t98
+    angles[..., 3] = t125
+    angles[..., 4] = t144
+    angles[..., 5] = t98
+    angles[..., 6] = t187
+    angles[..., 7] = t206
+    angles[..., 8] = t225
+    angles[..., 9] = t252
+    angles[..., 10] = t271
+    angles[..., 11] = t225
+    closure[..., 0] = np.sqrt((t273 * t273 + t275 * t275))
+    closure[..., 1] = np.sqrt((t276 * t276 + t277 * t277))
+    closure[..., 2] = np.sqrt((t278 * t278 + t280 * t280))
+    closure[..., 3] = np.sqrt((t281 * t281 + t282 * t282))
     width[..., 0] = t26
     width[..., 1] = t26
-    width[..., 2] = t62
-    width[..., 3] = t62
+    width[..., 2] = t154
+    width[..., 3] = t154
     return angles.reshape(_leading + (4, 3)), closure.reshape(_leading + (4,)), width.reshape(_leading + (4,))
 
 

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
+ * Made from templates/kernel.c.j2; inputs 3c723848f7ad0ad68211d2066c1c21601141c78aa2668b67fedf5829080811dd.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12";
+const char sanchez_8r_pose_digest[] = "3c723848f7ad0ad68211d2066c1c21601141c78aa2668b67fedf5829080811dd";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f.
+ * Made from templates/kernel.c.j2; inputs dadf63c5dc8e93477385bea1f04b9aee9837fcbaa692271dff7e5a81ac6dd484.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f";
+const char ur5e_kinematics_digest[] = "dadf63c5dc8e93477385bea1f04b9aee9837fcbaa692271dff7e5a81ac6dd484";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f.
+Made from templates/kernel.py.j2; inputs dadf63c5dc8e93477385bea1f04b9aee9837fcbaa692271dff7e5a81ac6dd484.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

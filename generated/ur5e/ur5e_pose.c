@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2.
+ * Made from templates/kernel.c.j2; inputs b53a8229bfe76c62dfa6f3445f81a47487c1ca29b1210dda037728caf860b3b8.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2";
+const char ur5e_pose_digest[] = "b53a8229bfe76c62dfa6f3445f81a47487c1ca29b1210dda037728caf860b3b8";
 #endif
 
 #define LANES 64

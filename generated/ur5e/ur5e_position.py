@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2.
+Made from templates/kernel.py.j2; inputs b53a8229bfe76c62dfa6f3445f81a47487c1ca29b1210dda037728caf860b3b8.
 1082 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
