@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd.
+ * Made from templates/kernel.h.j2; inputs 4634142cd9a37f004e496599611d6d9cc85c951e11576a211668c82e44bc95e1.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

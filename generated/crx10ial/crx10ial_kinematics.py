@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd.
+Made from templates/kernel.py.j2; inputs 4634142cd9a37f004e496599611d6d9cc85c951e11576a211668c82e44bc95e1.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

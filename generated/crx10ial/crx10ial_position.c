@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
+ * Made from templates/kernel.c.j2; inputs 34fd0fe324e4598460237fe66505f0b8ce9fe16e4a60960888a8a90ec9a90f8e.
  * 1276 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65";
+const char crx10ial_position_digest[] = "34fd0fe324e4598460237fe66505f0b8ce9fe16e4a60960888a8a90ec9a90f8e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1.
+ * Made from templates/kernel.c.j2; inputs 447e5aa53a7f4ba273a38826394a01eb203e20cc8766cf23178cd04ce6d336d8.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1";
+const char iiwa14_continuation_pose_digest[] = "447e5aa53a7f4ba273a38826394a01eb203e20cc8766cf23178cd04ce6d336d8";
 #endif
 
 #define LANES 32

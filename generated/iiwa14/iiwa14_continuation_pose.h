@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs 40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1.
+ * Made from templates/kernel.h.j2; inputs 447e5aa53a7f4ba273a38826394a01eb203e20cc8766cf23178cd04ce6d336d8.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

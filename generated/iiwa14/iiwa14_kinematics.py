@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e36fb7919fce96b3e6f9e38ed8bb5ac2a501809693ffc74532bc7b2584e1d65b.
+Made from templates/kernel.py.j2; inputs de0c0748c0af68c375c724b491b08a285ef2b24594045df5b32ac83f51db9980.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

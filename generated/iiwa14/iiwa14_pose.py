@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
+Made from templates/kernel.py.j2; inputs aab8345c7eee334cd1f7c739d9db5056812595841aeb936d047496c75b5ee726.
 2462 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
+ * Made from templates/kernel.c.j2; inputs aab8345c7eee334cd1f7c739d9db5056812595841aeb936d047496c75b5ee726.
  * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd";
+const char iiwa14_position_digest[] = "aab8345c7eee334cd1f7c739d9db5056812595841aeb936d047496c75b5ee726";
 #endif
 
 #define LANES 64

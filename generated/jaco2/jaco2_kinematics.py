@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 40857b86da1519bbd657d62b64ada3fb4638b1c709c83f4bfc373d9d194c0a37.
+Made from templates/kernel.py.j2; inputs c4fda292a928ce319a38acc4e737f9c699de6ebf20ca8ec4d475983c5c41994f.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

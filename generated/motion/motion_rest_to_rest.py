@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f.
+Made from templates/kernel.py.j2; inputs 306ea1ac17e62be13d3ba9cbd318ff384c25da5408893608933f9cd559f843a8.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

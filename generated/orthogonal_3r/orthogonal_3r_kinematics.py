@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 691b362e0edf21ddf1515204305bb2c0fbd408ce7003e9aaf3c755303cd04564.
+Made from templates/kernel.py.j2; inputs a087534bb3bd24f953b301226544108375aacc6c4ed5b35ffa617f2d1d696771.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

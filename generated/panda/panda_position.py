@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
+Made from templates/kernel.py.j2; inputs bb6caad0495c1710eb7fdbd5b8dcbaa71d343f175054882439b8abe8eeb67ab6.
 1852 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 7e1b5dd906e0ee51f7f4c797666a69ad264b736184c2a7a0619059730c777681.
+ * Made from templates/kernel.h.j2; inputs f41ff2c56dcfaeebef91e2c04e31f7f9d9354758bc86fc474e1f3cf09d205d76.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94.
+Made from templates/kernel.py.j2; inputs 521b903ca50655fca51ee39175f70df73d9db6d571640e07022aa36f2800d39c.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

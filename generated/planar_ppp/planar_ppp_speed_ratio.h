@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 4cf0ff6da409417a7faeefd8538cae28272849c9ede9ff14748bd98e65593bc0.
+ * Made from templates/kernel.h.j2; inputs 9cbcd49ce31c72bd6c0754ae15e2bdc20d3d107e4b6c9fdad17e70933319cb90.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cf0ff6da409417a7faeefd8538cae28272849c9ede9ff14748bd98e65593bc0.
+Made from templates/kernel.py.j2; inputs 9cbcd49ce31c72bd6c0754ae15e2bdc20d3d107e4b6c9fdad17e70933319cb90.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

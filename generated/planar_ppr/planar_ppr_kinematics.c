@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7.
+ * Made from templates/kernel.c.j2; inputs aee99e19d81d1e74651228f3c2cd74286fd9955ad3d1afeb19d3fee1dbb6c128.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7";
+const char planar_ppr_kinematics_digest[] = "aee99e19d81d1e74651228f3c2cd74286fd9955ad3d1afeb19d3fee1dbb6c128";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7.
+ * Made from templates/kernel.h.j2; inputs aee99e19d81d1e74651228f3c2cd74286fd9955ad3d1afeb19d3fee1dbb6c128.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

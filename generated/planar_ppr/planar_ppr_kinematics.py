@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7.
+Made from templates/kernel.py.j2; inputs aee99e19d81d1e74651228f3c2cd74286fd9955ad3d1afeb19d3fee1dbb6c128.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 9a331d5e17e870c6fcc6966afad433cfc77ccefbadbe6b75e55716be80d3a51d.
+ * Made from templates/kernel.c.j2; inputs c1c8588f4a67bf5e596445548ce9da911582099bf7e3f7ca4970da19c200e1ad.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "9a331d5e17e870c6fcc6966afad433cfc77ccefbadbe6b75e55716be80d3a51d";
+const char planar_ppr_speed_ratio_digest[] = "c1c8588f4a67bf5e596445548ce9da911582099bf7e3f7ca4970da19c200e1ad";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
+ * Made from templates/kernel.c.j2; inputs d47705f09fe19d6bb6df4709a56020d2dea336104f4236ee53faa4e2036a8620.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795";
+const char planar_prp_motion_digest[] = "d47705f09fe19d6bb6df4709a56020d2dea336104f4236ee53faa4e2036a8620";
 #endif
 
 #define LANES 64

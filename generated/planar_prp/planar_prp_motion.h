@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
+ * Made from templates/kernel.h.j2; inputs d47705f09fe19d6bb6df4709a56020d2dea336104f4236ee53faa4e2036a8620.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
+Made from templates/kernel.py.j2; inputs d47705f09fe19d6bb6df4709a56020d2dea336104f4236ee53faa4e2036a8620.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

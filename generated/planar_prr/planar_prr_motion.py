@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf.
+Made from templates/kernel.py.j2; inputs 25f62a8769d0c9ab28408ca2fb74c7ced5090e493fa754aa800b64c69689e193.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

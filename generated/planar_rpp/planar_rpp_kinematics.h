@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs d1c69ec0865516916024e9740ca6afd1dae1cab7520b4446a80b8e903f597fba.
+ * Made from templates/kernel.h.j2; inputs 67f6233f5dd662c51c7fb4a03e9cc662c72d646e7289d965444287e8c8f23df8.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe.
+ * Made from templates/kernel.c.j2; inputs 7629bdc25bdfbbcc317e5394e9212bb64e31c4179eb5a46a9d54a12413327ef8.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe";
+const char planar_rpp_motion_digest[] = "7629bdc25bdfbbcc317e5394e9212bb64e31c4179eb5a46a9d54a12413327ef8";
 #endif
 
 #define LANES 64

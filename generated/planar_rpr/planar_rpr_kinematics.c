@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c.
+ * Made from templates/kernel.c.j2; inputs 5d07529baf5d76a2d7bbac5bada294e03773cccd035f8f67428d73ea211fcf19.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c";
+const char planar_rpr_kinematics_digest[] = "5d07529baf5d76a2d7bbac5bada294e03773cccd035f8f67428d73ea211fcf19";
 #endif
 
 #define LANES 64

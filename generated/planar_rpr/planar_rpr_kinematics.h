@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c.
+ * Made from templates/kernel.h.j2; inputs 5d07529baf5d76a2d7bbac5bada294e03773cccd035f8f67428d73ea211fcf19.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 0bc0b7ccb5df63e6ca2c4055af27d9632b1e3ea0755e7a688207a59eb30237dd.
+ * Made from templates/kernel.h.j2; inputs 6514bd84d947dafa016bb741188fdb2aaec0d7075a8a7c5294b885bcf7d1ef99.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f24c390aac9a5059af7e72db8613ac796c537182c8d28b9058a9afda61022de2.
+Made from templates/kernel.py.j2; inputs 018cea381a56fcc1ea55a3eaab3eea2d6adf3037ce16c89bfda81289ce1da633.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
+ * Made from templates/kernel.c.j2; inputs 078714a707c3030bef3ae0a73511632e9248f98c39d02d94c41e4a5e108cfa50.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b";
+const char planar_rrp_motion_digest[] = "078714a707c3030bef3ae0a73511632e9248f98c39d02d94c41e4a5e108cfa50";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
+Made from templates/kernel.py.j2; inputs 078714a707c3030bef3ae0a73511632e9248f98c39d02d94c41e4a5e108cfa50.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 726196711b586fdb1f40355bed086f8202b2a19555064fb7a358a9245abf74a6.
+ * Made from templates/kernel.c.j2; inputs 5cd3a8fd812ad1e0739d9dc05d789a1f0c93185bbbf254f725fd829ec31bc584.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "726196711b586fdb1f40355bed086f8202b2a19555064fb7a358a9245abf74a6";
+const char planar_rrp_speed_ratio_digest[] = "5cd3a8fd812ad1e0739d9dc05d789a1f0c93185bbbf254f725fd829ec31bc584";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 726196711b586fdb1f40355bed086f8202b2a19555064fb7a358a9245abf74a6.
+Made from templates/kernel.py.j2; inputs 5cd3a8fd812ad1e0739d9dc05d789a1f0c93185bbbf254f725fd829ec31bc584.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.c: continuation position of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 50d87b854f53539f0fd3599b9baa8b3b127c42619ed1b4a30f8f918e1e1202c5.
+ * Made from templates/kernel.c.j2; inputs fdc25f850311a21a9d7c38711c9ed0093ea05e03c0902433284c67baf03841e3.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_position_digest[] = "50d87b854f53539f0fd3599b9baa8b3b127c42619ed1b4a30f8f918e1e1202c5";
+const char planar_rrr_continuation_position_digest[] = "fdc25f850311a21a9d7c38711c9ed0093ea05e03c0902433284c67baf03841e3";
 #endif
 
 #define LANES 64

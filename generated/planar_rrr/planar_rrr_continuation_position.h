@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.h: continuation position of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 50d87b854f53539f0fd3599b9baa8b3b127c42619ed1b4a30f8f918e1e1202c5.
+ * Made from templates/kernel.h.j2; inputs fdc25f850311a21a9d7c38711c9ed0093ea05e03c0902433284c67baf03841e3.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 219a78f47c88665ff84fb95e9c52a38c1f537184f5db64a50618268555c53cd7.
+Made from templates/kernel.py.j2; inputs 9ba883259e8605a58ab7771979ce387299dad6a50074edc4d0ec370405b85534.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_position.h: manipulability (position) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3.
+ * Made from templates/kernel.h.j2; inputs 960382b8460d135f8f8513fc7468d01652c1196f0d5c46b470cadd2b9b2822cf.
  * 245 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """self motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8fd1ca9922f8cc66ddcf8fae548272df0a0b4ba30e817b48fcc14f046469c7a3.
+Made from templates/kernel.py.j2; inputs 25884c4c96c40cb815dcbd0a39e953b9d2d03cbff1ed395e279c667498506d63.
 1575 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

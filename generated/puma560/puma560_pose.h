@@ -1,5 +1,5 @@
 /* puma560_pose.h: manipulability (pose) of puma560.
- * Made from templates/kernel.h.j2; inputs 7c72f4ab69b863b2f8de76ff747526359dce2113076a6e039035fbbfea0cf01a.
+ * Made from templates/kernel.h.j2; inputs 183d7b16faababa23834f824d3e40e01dac4e755bb321cb1efcc90353cbd6fc1.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7c72f4ab69b863b2f8de76ff747526359dce2113076a6e039035fbbfea0cf01a.
+Made from templates/kernel.py.j2; inputs 183d7b16faababa23834f824d3e40e01dac4e755bb321cb1efcc90353cbd6fc1.
 435 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab.
+ * Made from templates/kernel.c.j2; inputs d74f09f2075886e42830235e3dbcb333cedd6182f20348a8d4a527124d15e8cc.
  * 3766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab";
+const char regional_3r_cuspidality_digest[] = "d74f09f2075886e42830235e3dbcb333cedd6182f20348a8d4a527124d15e8cc";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab.
+Made from templates/kernel.py.j2; inputs d74f09f2075886e42830235e3dbcb333cedd6182f20348a8d4a527124d15e8cc.
 3766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

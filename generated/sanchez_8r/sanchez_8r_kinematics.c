@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 0aa601dfd9013d2559eb9272531f257c8ea15b435f476b3ca5d50b4a29953735.
+ * Made from templates/kernel.c.j2; inputs 4054621d4c67ee092fbf6d84768bc066845ee7433e8f85310bcfe2293ccbd521.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "0aa601dfd9013d2559eb9272531f257c8ea15b435f476b3ca5d50b4a29953735";
+const char sanchez_8r_kinematics_digest[] = "4054621d4c67ee092fbf6d84768bc066845ee7433e8f85310bcfe2293ccbd521";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 0aa601dfd9013d2559eb9272531f257c8ea15b435f476b3ca5d50b4a29953735.
+ * Made from templates/kernel.h.j2; inputs 4054621d4c67ee092fbf6d84768bc066845ee7433e8f85310bcfe2293ccbd521.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

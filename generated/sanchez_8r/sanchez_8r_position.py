@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
+Made from templates/kernel.py.j2; inputs 8cc3171adebdfecb9adb45b2db82e468aebcf03808641d6ab1b32ff76adec79a.
 2301 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs 0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2.
+ * Made from templates/kernel.h.j2; inputs 997b3f856976f0019598a7419cd1a205b11064aef39f0752cf32129b85a3f06e.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

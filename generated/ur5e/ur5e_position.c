@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2.
+ * Made from templates/kernel.c.j2; inputs 997b3f856976f0019598a7419cd1a205b11064aef39f0752cf32129b85a3f06e.
  * 1082 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2";
+const char ur5e_position_digest[] = "997b3f856976f0019598a7419cd1a205b11064aef39f0752cf32129b85a3f06e";
 #endif
 
 #define LANES 64
