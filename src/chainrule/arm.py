@@ -413,7 +413,7 @@ class Arm:
             out: where to put the result.
 
         Raises:
-            InputError: joints without an inertia (:meth:`with_inertias` gives them), wrong shapes.
+            InputError: joints without an inertia (see :meth:`with_inertias`), wrong shapes.
 
         Example:
             >>> q, still = [0.3, 0.2, -0.4, 0.5, 0.6, 0.7, -0.2, 0.1], [0.0] * 8
@@ -438,7 +438,7 @@ class Arm:
             more = f" and {len(missing) - 5} more" if len(missing) > 5 else ""
             raise InputError(
                 f"{self.name}: no inertia is known for {', '.join(missing[:5])}{more}; inverse dynamics needs that of "
-                "every joint's link, which Arm.with_inertias gives"
+                "every joint's link (from the arm's file, or by Arm.with_inertias)"
             )
         planar = isinstance(self._description.geometry, Planar)
         rows = np.array([inertia.about_origin() for inertia in known if inertia is not None])
