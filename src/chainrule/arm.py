@@ -47,14 +47,24 @@ def _likely(name: str, group: str) -> bool:
     return name.startswith(group) or name.endswith(group)
 
 
+_FLOAT = np.dtype(np.float32)  # comparing types is quicker than comparing with a class
+
+
 def _single(*arrays: Any) -> bool:
     """Whether all of these are arrays of float32."""
-    return all(getattr(array, "dtype", None) == np.float32 for array in arrays)
+    for array in arrays:  # noqa: SIM110  # a generator would take as long as the evaluation
+        if getattr(array, "dtype", None) != _FLOAT:
+            return False
+    return True
 
 
-def _plain(value: Any) -> bool:
-    """Whether this is a sequence of Python's own numbers, which takes the type of the arrays beside it."""
-    return isinstance(value, list | tuple) and all(isinstance(entry, int | float) for entry in value)
+def _given(value: Any, default: Array, single: bool) -> Any:
+    """An argument or its default; Python's own numbers take the type of the arrays beside them, as NumPy has it."""
+    if value is None:
+        return default
+    if single and isinstance(value, list | tuple) and all(isinstance(entry, int | float) for entry in value):
+        return np.asarray(value, _FLOAT)
+    return value
 
 
 class Arm:
@@ -421,12 +431,9 @@ class Arm:
             array([-27.06, -1.96, -6.64, -0.47])
         """
         single = _single(q, qd, qdd)
-        inertias, *absent = self._loads[single]
-        loads = [
-            default if value is None else np.asarray(value, np.float32) if single and _plain(value) else value
-            for value, default in zip((gravity, wrench), absent, strict=True)
-        ]
-        result: Array = self._call("dynamics", "inverse_dynamics", q, out, qd, qdd, inertias, *loads)
+        inertias, usual, none = self._loads[single]
+        gravity, wrench = _given(gravity, usual, single), _given(wrench, none, single)
+        result: Array = self._call("dynamics", "inverse_dynamics", q, out, qd, qdd, inertias, gravity, wrench)
         return result
 
     @cached_property
