@@ -29,8 +29,8 @@ ENTRIES = ("m", "hx", "hy", "hz", "Ixx", "Ixy", "Ixz", "Iyy", "Iyz", "Izz")
 class Motion:
     """A link's motion in its own axes: w, u, a; and in the same axes the tip's force and moment on what it touches."""
 
-    turning: Vector
-    turning_up: Vector
+    angular_velocity: Vector
+    angular_acceleration: Vector
     acceleration: Vector
     force: Vector
     moment: Vector
@@ -116,7 +116,7 @@ def inverse_dynamics(arm: Chain) -> Program:
         mass, *rest = inertias[10 * i : 10 * i + 10]
         first, tensor, a = rest[:3], rest[3:], motion.acceleration
         force = plus([mass * entry for entry in a], times(matrix, first))
-        spin = euler(steps, tensor, motion.turning, motion.turning_up, matrix, str(i + 1))
+        spin = euler(steps, tensor, motion.angular_velocity, motion.angular_acceleration, matrix, str(i + 1))
         own.append((force, plus(spin, cross(first, a))))
     force, moment = motion.force, plus(motion.moment, cross(list(arm.tool.translation), motion.force))
     torque: list[Expression] = []
@@ -153,10 +153,9 @@ def _outwards(
     """Link i's motion and matrix U, from those of link i-1."""
     name, revolute = str(i + 1), arm.kinds[i] == "R"
     origin = steps.vector(f"ap{name}", plus(motion.acceleration, times(matrix, list(arm.links[i].translation))))
+    turning = (motion.angular_velocity, motion.angular_acceleration)
     found = []
-    for label, vector in zip(
-        "wuafm", (motion.turning, motion.turning_up, origin, motion.force, motion.moment), strict=True
-    ):
+    for label, vector in zip("wuafm", (*turning, origin, motion.force, motion.moment), strict=True):
         vector = steps.vector(f"{label}o{name}", inward(arm, i, vector))
         found.append(steps.vector(f"{label}t{name}", turned(steps, arm, i, vector)) if revolute else vector)
     w, u, a, force, moment = found

@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs 04ca95b54c6841da0a941eab07c6b3c36b3bb3b0ba6fd5f58ea75773cd8c994b.
+ * Made from templates/kernel.c.j2; inputs 69009cf371103d5884ea883b35bd704e9e6c42d9d1ad595fc88d90cda3dbfefd.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "04ca95b54c6841da0a941eab07c6b3c36b3bb3b0ba6fd5f58ea75773cd8c994b";
+const char panda_dynamics_digest[] = "69009cf371103d5884ea883b35bd704e9e6c42d9d1ad595fc88d90cda3dbfefd";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* panda_dynamics.h: dynamics of panda.
- * Made from templates/kernel.h.j2; inputs 04ca95b54c6841da0a941eab07c6b3c36b3bb3b0ba6fd5f58ea75773cd8c994b.
+ * Made from templates/kernel.h.j2; inputs 69009cf371103d5884ea883b35bd704e9e6c42d9d1ad595fc88d90cda3dbfefd.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

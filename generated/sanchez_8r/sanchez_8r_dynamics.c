@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 66481ca6a2ce36986430c707a0417fbb67059da02761c88cbd73cfc522adf191.
+ * Made from templates/kernel.c.j2; inputs 5bb1c8f5e8089b811503fef3977e77425b8035c1cd43ea977932472159fe4ac4.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "66481ca6a2ce36986430c707a0417fbb67059da02761c88cbd73cfc522adf191";
+const char sanchez_8r_dynamics_digest[] = "5bb1c8f5e8089b811503fef3977e77425b8035c1cd43ea977932472159fe4ac4";
 #endif
 
 #define LANES 32

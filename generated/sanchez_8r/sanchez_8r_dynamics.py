@@ -1,6 +1,6 @@
 """dynamics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 66481ca6a2ce36986430c707a0417fbb67059da02761c88cbd73cfc522adf191.
+Made from templates/kernel.py.j2; inputs 5bb1c8f5e8089b811503fef3977e77425b8035c1cd43ea977932472159fe4ac4.
 982 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
