@@ -16,12 +16,14 @@ from typing import Any
 
 from chainrule.derive import (
     chain,
+    dynamics,
     manipulability,
     nodes_3r,
     orthogonal_3r,
     orthogonal_designs,
     planar,
     planar_3r,
+    planar_dynamics,
     planar_motion,
     quartic,
     regional_3r,
@@ -52,6 +54,9 @@ STANDING: dict[Model, tuple[str, ...]] = {
     REGIONAL_3R: ("cuspidality",),
     **{planar_model("".join(kinds)): ("kinematics", "motion", "speed_ratio") for kinds in product("RP", repeat=3)},
 }
+
+#: Groups that are made on first use, except for these embedded arms, for which they are generated beforehand.
+SHIPPED: dict[str, tuple[str, ...]] = {"dynamics": ("sanchez_8r", "panda")}
 
 #: Models with results in closed form: ``minors(arm)`` of the position Jacobian, perhaps ``survey(arm)`` and the like.
 CLOSED_FORMS: dict[str, ModuleType] = {"planar_rrr": planar_3r, "orthogonal_3r": orthogonal_3r}
@@ -248,6 +253,7 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: orthogonal_designs.sides_of_surfaces() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.exact_sides() if s.closed is orthogonal_3r else None),
     *(Entry("cuspidality", partial(sweep, make=make)) for make in self_motion_sweep.EVERY),
+    Entry("dynamics", lambda s: (planar_dynamics if s.planar else dynamics).inverse_dynamics(s.arm)),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -263,7 +269,7 @@ def groups(model: Model) -> tuple[str, ...]:
 
 
 def extras(model: Model) -> tuple[str, ...]:
-    """Groups that only some models have.
+    """Groups beside the kinematics and the tasks: ``dynamics`` of every arm, and what only some models have.
 
     Planar arms have ``motion`` (the tip's path along a joint motion), with 3 or 4 joints ``speed_ratio``, and the RRR
     arms ``self_motion`` (in closed form); arms with one joint more than a task has rows have ``continuation_<task>``;
@@ -273,14 +279,21 @@ def extras(model: Model) -> tuple[str, ...]:
     if model.family == "planar":
         closed = ("self_motion",) if model.name == "planar_rrr" else ()
         more = ("motion", "speed_ratio", *closed) if len(model.kinds) in (3, 4) else ("motion",)
-        return (*more, *continuations(model))
+        return (*more, *continuations(model), "dynamics")
     others = {"motion": "rest_to_rest", "orthogonal_3r": "cuspidality", "regional_3r": "cuspidality"}
-    return (others[model.family],) if model.family in others else continuations(model)
+    more = (others[model.family],) if model.family in others else continuations(model)
+    return (*more, "dynamics") if FAMILIES[model.family][1] else more
+
+
+def shipped(model: Model) -> tuple[str, ...]:
+    """The groups that are generated beforehand for an embedded arm of this model; others are made on first use."""
+    return tuple(group for group in groups(model) if group not in SHIPPED or model.name in SHIPPED[group])
 
 
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     """The modules that a group's formulas are written in."""
     family, tasks = FAMILIES[model.family]
+    closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     if group in continuations(model):
         return (family, self_motion)
     if group in extras(model):
@@ -289,10 +302,10 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
             "motion": (planar_motion,),
             "speed_ratio": (ratios,),
             "self_motion": (self_motion_planar_3r,),
+            "dynamics": (family, *closed, planar_dynamics if family is planar else dynamics),
             "cuspidality": (nodes_3r, orthogonal_designs, quartic, regional_postures, self_motion_sweep),
         }
         return known.get(group, (family,))
-    closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     general = [manipulability] if group in tasks else []
     return (family, *closed, *general)
 

@@ -33,7 +33,7 @@ UNITS = {
     "regional_3r": ("cuspidality",),
     "motion": ("rest_to_rest",),
     "puma560": ("kinematics", "position", "pose"),
-    "panda": ("kinematics", "position", "pose", "continuation_pose"),
+    "panda": ("kinematics", "position", "pose", "continuation_pose", "dynamics"),
 }
 
 RUN = """

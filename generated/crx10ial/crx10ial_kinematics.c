@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 585171742ddbfcadefecde89d0bdfc2efdea283cb30cd50277963143a9cb41cf.
+ * Made from templates/kernel.c.j2; inputs 1883c050bec34042b24858cc5ae0b60a1febb4b2105eac5977dbe9f758dfa971.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "585171742ddbfcadefecde89d0bdfc2efdea283cb30cd50277963143a9cb41cf";
+const char crx10ial_kinematics_digest[] = "1883c050bec34042b24858cc5ae0b60a1febb4b2105eac5977dbe9f758dfa971";
 #endif
 
 #define LANES 64

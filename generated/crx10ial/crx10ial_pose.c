@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 2cad214971637ef7865c54a31f6a620b4ad8db04e034dc02824b6f0b24cf0f82.
+ * Made from templates/kernel.c.j2; inputs e6f23dc2db76f8e4bf0f7abe736ac48df67ed2abf67f2abff4f8aced699e42ee.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "2cad214971637ef7865c54a31f6a620b4ad8db04e034dc02824b6f0b24cf0f82";
+const char crx10ial_pose_digest[] = "e6f23dc2db76f8e4bf0f7abe736ac48df67ed2abf67f2abff4f8aced699e42ee";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2cad214971637ef7865c54a31f6a620b4ad8db04e034dc02824b6f0b24cf0f82.
+Made from templates/kernel.py.j2; inputs e6f23dc2db76f8e4bf0f7abe736ac48df67ed2abf67f2abff4f8aced699e42ee.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 2a61228b73989f0b5b9e01d4da824ae7ca376787020de9f5d925c01ad204f294.
+ * Made from templates/kernel.h.j2; inputs 4dfcdbdd3b74f1963890174fab0e789e6a3827759d4ed75d07600f1925036573.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 51d5055af9906a9569f0b73d0548054f5ec94e83ca93374b16371e3d6fc01929.
+ * Made from templates/kernel.c.j2; inputs 0c113ba3e928ecf2414714431c6ea3e1151f9cea84687aaf837c705d1ea9cd09.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "51d5055af9906a9569f0b73d0548054f5ec94e83ca93374b16371e3d6fc01929";
+const char gofa5_pose_digest[] = "0c113ba3e928ecf2414714431c6ea3e1151f9cea84687aaf837c705d1ea9cd09";
 #endif
 
 #define LANES 64

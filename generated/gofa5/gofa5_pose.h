@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 51d5055af9906a9569f0b73d0548054f5ec94e83ca93374b16371e3d6fc01929.
+ * Made from templates/kernel.h.j2; inputs 0c113ba3e928ecf2414714431c6ea3e1151f9cea84687aaf837c705d1ea9cd09.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs 6a3442692b73bd096f83f80d5e445ea61da893ae0f6da2fe9545bf335f19da68.
+ * Made from templates/kernel.h.j2; inputs 7398d495adcaad238e9e9bdc16e5cf87a67567e232426a940716ed2d0b080029.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 310264fd37d69a6fa34f6e652ec70ef5a10d10d9b9fd7b2df38935ccf9b3e458.
+ * Made from templates/kernel.h.j2; inputs 90201d5522a68e1f6b36f7a117f0fb034823ca9b084594077e09a51aa2a5d354.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 310264fd37d69a6fa34f6e652ec70ef5a10d10d9b9fd7b2df38935ccf9b3e458.
+Made from templates/kernel.py.j2; inputs 90201d5522a68e1f6b36f7a117f0fb034823ca9b084594077e09a51aa2a5d354.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

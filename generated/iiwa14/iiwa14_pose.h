@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 5a04460d60bf9751499fb7b68c22511deb717046db89f46f919511c5b0f78d02.
+ * Made from templates/kernel.h.j2; inputs 39f7f791719bdbc779c29e52137662ca90108eb18c9d77ea8aa4061a204074d2.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

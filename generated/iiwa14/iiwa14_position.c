@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 5a04460d60bf9751499fb7b68c22511deb717046db89f46f919511c5b0f78d02.
+ * Made from templates/kernel.c.j2; inputs 39f7f791719bdbc779c29e52137662ca90108eb18c9d77ea8aa4061a204074d2.
  * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "5a04460d60bf9751499fb7b68c22511deb717046db89f46f919511c5b0f78d02";
+const char iiwa14_position_digest[] = "39f7f791719bdbc779c29e52137662ca90108eb18c9d77ea8aa4061a204074d2";
 #endif
 
 #define LANES 64

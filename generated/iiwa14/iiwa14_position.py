@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5a04460d60bf9751499fb7b68c22511deb717046db89f46f919511c5b0f78d02.
+Made from templates/kernel.py.j2; inputs 39f7f791719bdbc779c29e52137662ca90108eb18c9d77ea8aa4061a204074d2.
 1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs 713652514eb1c892ea89086f0c7d183a895deb2b51d06ec964f185e08f2b2ccc.
+ * Made from templates/kernel.h.j2; inputs b1b08267b36ae3e2bd50ad179af67b33d9a2ae6f5ce8e642fcb877fce3aeb15b.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 713652514eb1c892ea89086f0c7d183a895deb2b51d06ec964f185e08f2b2ccc.
+Made from templates/kernel.py.j2; inputs b1b08267b36ae3e2bd50ad179af67b33d9a2ae6f5ce8e642fcb877fce3aeb15b.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs 665d35992945d39b41e332d3646cbd2e5cb71056cac3ce6119d7ba8da293e78d.
+ * Made from templates/kernel.c.j2; inputs 6708c8d8d4a05f24789b4a57fd961d9bcd1c0f2437e9be9fca7f273e2aa47143.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "665d35992945d39b41e332d3646cbd2e5cb71056cac3ce6119d7ba8da293e78d";
+const char jaco2_pose_digest[] = "6708c8d8d4a05f24789b4a57fd961d9bcd1c0f2437e9be9fca7f273e2aa47143";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs 16214143438169c42b1bf850ceaa89e5a92eb6044b10d396cba934c1f936c61d.
+ * Made from templates/kernel.c.j2; inputs a9969bae83599cf725c396b54529230d57ad54ca53a38d86074d8c3fbbf52e16.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "16214143438169c42b1bf850ceaa89e5a92eb6044b10d396cba934c1f936c61d";
+const char motion_rest_to_rest_digest[] = "a9969bae83599cf725c396b54529230d57ad54ca53a38d86074d8c3fbbf52e16";
 #endif
 
 #define LANES 64

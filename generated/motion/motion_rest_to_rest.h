@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 16214143438169c42b1bf850ceaa89e5a92eb6044b10d396cba934c1f936c61d.
+ * Made from templates/kernel.h.j2; inputs a9969bae83599cf725c396b54529230d57ad54ca53a38d86074d8c3fbbf52e16.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 16214143438169c42b1bf850ceaa89e5a92eb6044b10d396cba934c1f936c61d.
+Made from templates/kernel.py.j2; inputs a9969bae83599cf725c396b54529230d57ad54ca53a38d86074d8c3fbbf52e16.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

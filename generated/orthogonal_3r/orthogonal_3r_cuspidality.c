@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs caaab9b16531e7f4d27c992165f9b2fcaa9797a02237a02734c8ccb6ab5b2b76.
+ * Made from templates/kernel.c.j2; inputs 5fdbb6194b1ab23949e2d385b0a7a06150ef74177677bb24b81cf7bace992c98.
  * 733 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "caaab9b16531e7f4d27c992165f9b2fcaa9797a02237a02734c8ccb6ab5b2b76";
+const char orthogonal_3r_cuspidality_digest[] = "5fdbb6194b1ab23949e2d385b0a7a06150ef74177677bb24b81cf7bace992c98";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 0be6e47ab296d3c7f5482b231937135786936035dec4191e345d553a8137b972.
+ * Made from templates/kernel.c.j2; inputs 169617e38148b0f6bdf621d5584642312706f4e509e4b6d9d3965848c0e49656.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "0be6e47ab296d3c7f5482b231937135786936035dec4191e345d553a8137b972";
+const char orthogonal_3r_position_digest[] = "169617e38148b0f6bdf621d5584642312706f4e509e4b6d9d3965848c0e49656";
 #endif
 
 #define LANES 64

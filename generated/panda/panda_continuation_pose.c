@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs d3b6d38e023f002b7ce6594947e023e76d19bb98a2dcbb6d7ba0a9a56c66d7b6.
+ * Made from templates/kernel.c.j2; inputs 8404d9189039dcada9f8715201b751b6da6fe6c064ba657ef68df4aac0ae4b7e.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "d3b6d38e023f002b7ce6594947e023e76d19bb98a2dcbb6d7ba0a9a56c66d7b6";
+const char panda_continuation_pose_digest[] = "8404d9189039dcada9f8715201b751b6da6fe6c064ba657ef68df4aac0ae4b7e";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs d3b6d38e023f002b7ce6594947e023e76d19bb98a2dcbb6d7ba0a9a56c66d7b6.
+ * Made from templates/kernel.h.j2; inputs 8404d9189039dcada9f8715201b751b6da6fe6c064ba657ef68df4aac0ae4b7e.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

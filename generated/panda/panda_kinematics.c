@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs a6db810da03b8f71902c9d446c46dd7eae6973e97747cf365c21c9dc30901ab4.
+ * Made from templates/kernel.c.j2; inputs d5ee084b9ef2955ecd954590ee219c17fe039abef59dfd8db62eb66ea74189a9.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "a6db810da03b8f71902c9d446c46dd7eae6973e97747cf365c21c9dc30901ab4";
+const char panda_kinematics_digest[] = "d5ee084b9ef2955ecd954590ee219c17fe039abef59dfd8db62eb66ea74189a9";
 #endif
 
 #define LANES 64

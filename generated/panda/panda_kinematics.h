@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs a6db810da03b8f71902c9d446c46dd7eae6973e97747cf365c21c9dc30901ab4.
+ * Made from templates/kernel.h.j2; inputs d5ee084b9ef2955ecd954590ee219c17fe039abef59dfd8db62eb66ea74189a9.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

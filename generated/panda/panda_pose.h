@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs da3f9d2bf11054dad588a3880a922b39dc128de4f073bedd2f2c820c714af08d.
+ * Made from templates/kernel.h.j2; inputs daba909b431ea79b7ae9341df253883cb569c26f1f3e93ea5d21ac9b48be4ab3.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs da3f9d2bf11054dad588a3880a922b39dc128de4f073bedd2f2c820c714af08d.
+ * Made from templates/kernel.c.j2; inputs daba909b431ea79b7ae9341df253883cb569c26f1f3e93ea5d21ac9b48be4ab3.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "da3f9d2bf11054dad588a3880a922b39dc128de4f073bedd2f2c820c714af08d";
+const char panda_position_digest[] = "daba909b431ea79b7ae9341df253883cb569c26f1f3e93ea5d21ac9b48be4ab3";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 974718a8dbdc40ee1535cbf7e4c35a212da9628c9ae1f3f44ac29f3369a337cf.
+ * Made from templates/kernel.h.j2; inputs cd982ec44c325465f77fb0cf18d2cf7c0679e9ae3eef174dae80795ea60533d6.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

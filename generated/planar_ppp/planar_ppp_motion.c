@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 7ed9570a831a9eb3ab260d8a082ad917dfabffcb4ad122f4ac952afa3acbc50b.
+ * Made from templates/kernel.c.j2; inputs 98ab2cf50fd2dec0829f396c58fb20d0544666b108fccce2e2d23ebf408e92a1.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "7ed9570a831a9eb3ab260d8a082ad917dfabffcb4ad122f4ac952afa3acbc50b";
+const char planar_ppp_motion_digest[] = "98ab2cf50fd2dec0829f396c58fb20d0544666b108fccce2e2d23ebf408e92a1";
 #endif
 
 #define LANES 64

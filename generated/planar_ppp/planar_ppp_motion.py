@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7ed9570a831a9eb3ab260d8a082ad917dfabffcb4ad122f4ac952afa3acbc50b.
+Made from templates/kernel.py.j2; inputs 98ab2cf50fd2dec0829f396c58fb20d0544666b108fccce2e2d23ebf408e92a1.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs a080dc93c7a2b36321a90a7f516a86828d5f5dbf59fbe8b7e3d595854811d41d.
+ * Made from templates/kernel.c.j2; inputs e68236da60892c4b693d4e1566c4e6a373fd4cde96054b830dd9d61e5241afd8.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "a080dc93c7a2b36321a90a7f516a86828d5f5dbf59fbe8b7e3d595854811d41d";
+const char planar_ppp_speed_ratio_digest[] = "e68236da60892c4b693d4e1566c4e6a373fd4cde96054b830dd9d61e5241afd8";
 #endif
 
 #define LANES 64

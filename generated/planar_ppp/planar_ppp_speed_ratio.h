@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs a080dc93c7a2b36321a90a7f516a86828d5f5dbf59fbe8b7e3d595854811d41d.
+ * Made from templates/kernel.h.j2; inputs e68236da60892c4b693d4e1566c4e6a373fd4cde96054b830dd9d61e5241afd8.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 4b0d18464f61bc0d99009363a6259bc425ae8cc3aabc996993d6653ef9462b2e.
+ * Made from templates/kernel.c.j2; inputs c866da7178511d0af66688faf74a2310ddba9ba1f2600ad78a7044e7e3b82f2a.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "4b0d18464f61bc0d99009363a6259bc425ae8cc3aabc996993d6653ef9462b2e";
+const char planar_ppr_kinematics_digest[] = "c866da7178511d0af66688faf74a2310ddba9ba1f2600ad78a7044e7e3b82f2a";
 #endif
 
 #define LANES 64

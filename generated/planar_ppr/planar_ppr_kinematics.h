@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 4b0d18464f61bc0d99009363a6259bc425ae8cc3aabc996993d6653ef9462b2e.
+ * Made from templates/kernel.h.j2; inputs c866da7178511d0af66688faf74a2310ddba9ba1f2600ad78a7044e7e3b82f2a.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4b0d18464f61bc0d99009363a6259bc425ae8cc3aabc996993d6653ef9462b2e.
+Made from templates/kernel.py.j2; inputs c866da7178511d0af66688faf74a2310ddba9ba1f2600ad78a7044e7e3b82f2a.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs d5965df844c4e736e7e950b26bc2caba15fbd2f4ffe1fb13a6bb2f4f1b23b872.
+ * Made from templates/kernel.c.j2; inputs edea5d16f07b7ecf1c7ea872732e3752c0b431ff1b4f972ed1d5a957dadefb2c.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "d5965df844c4e736e7e950b26bc2caba15fbd2f4ffe1fb13a6bb2f4f1b23b872";
+const char planar_ppr_motion_digest[] = "edea5d16f07b7ecf1c7ea872732e3752c0b431ff1b4f972ed1d5a957dadefb2c";
 #endif
 
 #define LANES 64

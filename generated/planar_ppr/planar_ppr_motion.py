@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d5965df844c4e736e7e950b26bc2caba15fbd2f4ffe1fb13a6bb2f4f1b23b872.
+Made from templates/kernel.py.j2; inputs edea5d16f07b7ecf1c7ea872732e3752c0b431ff1b4f972ed1d5a957dadefb2c.
 194 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

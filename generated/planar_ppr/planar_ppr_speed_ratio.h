@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 596fd768574d002b8e3d5bc50dd71ac5308d9a1f0e2e9d38827da55bdb29200e.
+ * Made from templates/kernel.h.j2; inputs 4487093aa68145b8cc6bd301d26920633d97e1deb8c62d56eab17230329f6b9f.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs 4239b16834aa3de09fb79d4cfc41170d6bcdb1d33a077ffc0a083722968b2884.
+ * Made from templates/kernel.h.j2; inputs ba00ebd25a60a731da75111279952ea862abc3661e737607b3061f242f506bee.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4239b16834aa3de09fb79d4cfc41170d6bcdb1d33a077ffc0a083722968b2884.
+Made from templates/kernel.py.j2; inputs ba00ebd25a60a731da75111279952ea862abc3661e737607b3061f242f506bee.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

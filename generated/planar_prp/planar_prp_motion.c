@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs e5f210daef030feb003507db5d95bfbe9815446b7ed8d9476a86a58fd05b8903.
+ * Made from templates/kernel.c.j2; inputs 58a0f29f8344da27a0bdc6f1287e2db1326218dbc1ae560b58a105053b58b0c5.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "e5f210daef030feb003507db5d95bfbe9815446b7ed8d9476a86a58fd05b8903";
+const char planar_prp_motion_digest[] = "58a0f29f8344da27a0bdc6f1287e2db1326218dbc1ae560b58a105053b58b0c5";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e5f210daef030feb003507db5d95bfbe9815446b7ed8d9476a86a58fd05b8903.
+Made from templates/kernel.py.j2; inputs 58a0f29f8344da27a0bdc6f1287e2db1326218dbc1ae560b58a105053b58b0c5.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0a8f6b685d0c33cc3a93e96d6d1ece064d2f84aebda56ca629b92e316ee97a76.
+Made from templates/kernel.py.j2; inputs 66431bb717cd51150a504bd8aba6e21b0b3c5b37922d3bd2553be51b93cf61ea.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs 26d35a25158814ce12e16600d968c92b38e9e97af950b654b46b91fc03404202.
+ * Made from templates/kernel.c.j2; inputs 7cc755a6b9f062dccd6cf167cf2ea4ac54b5e255da706eb9c1cfe93aedb78430.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "26d35a25158814ce12e16600d968c92b38e9e97af950b654b46b91fc03404202";
+const char planar_prr_kinematics_digest[] = "7cc755a6b9f062dccd6cf167cf2ea4ac54b5e255da706eb9c1cfe93aedb78430";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 52751ae4aeebaab2d596ebe2595ab7e66012d1a80e99e9f6b9b8821484c41a39.
+ * Made from templates/kernel.c.j2; inputs 77c4a40c1b0fcf0e392febbdcc2542837c91a17b7ec8e43ffed9448dfde105a4.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "52751ae4aeebaab2d596ebe2595ab7e66012d1a80e99e9f6b9b8821484c41a39";
+const char planar_prr_motion_digest[] = "77c4a40c1b0fcf0e392febbdcc2542837c91a17b7ec8e43ffed9448dfde105a4";
 #endif
 
 #define LANES 64

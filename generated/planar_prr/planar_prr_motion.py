@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 52751ae4aeebaab2d596ebe2595ab7e66012d1a80e99e9f6b9b8821484c41a39.
+Made from templates/kernel.py.j2; inputs 77c4a40c1b0fcf0e392febbdcc2542837c91a17b7ec8e43ffed9448dfde105a4.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a449b183c6b2ff2dc98f923cbb7ecf1b2c89f0683cf41fb9c6f4813dbe55314f.
+Made from templates/kernel.py.j2; inputs d523ebefe60badf6821e24d679f6fba0f6b9761f70a3f8b13ef90fbd4c24b372.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

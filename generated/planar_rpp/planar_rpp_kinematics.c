@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 83a7811d5d16137cea12218b4cd281fd410ad3f56647f579d650f0a3fff091f9.
+ * Made from templates/kernel.c.j2; inputs c22fb4ffef0eae6cf29776334bc218077fbe5f99601ccf9fda3f9e774453e599.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "83a7811d5d16137cea12218b4cd281fd410ad3f56647f579d650f0a3fff091f9";
+const char planar_rpp_kinematics_digest[] = "c22fb4ffef0eae6cf29776334bc218077fbe5f99601ccf9fda3f9e774453e599";
 #endif
 
 #define LANES 64

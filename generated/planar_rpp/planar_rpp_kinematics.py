@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 83a7811d5d16137cea12218b4cd281fd410ad3f56647f579d650f0a3fff091f9.
+Made from templates/kernel.py.j2; inputs c22fb4ffef0eae6cf29776334bc218077fbe5f99601ccf9fda3f9e774453e599.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs d89f308da58fcf7ea87c2347f1729359ce36981a2c6bf0620d75a22d6ee413a5.
+ * Made from templates/kernel.c.j2; inputs 7bdc386365a6c76cdaae9519e83eb2b78b083208a21f4fa0defccb9c0e88c4be.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "d89f308da58fcf7ea87c2347f1729359ce36981a2c6bf0620d75a22d6ee413a5";
+const char planar_rpp_motion_digest[] = "7bdc386365a6c76cdaae9519e83eb2b78b083208a21f4fa0defccb9c0e88c4be";
 #endif
 
 #define LANES 64

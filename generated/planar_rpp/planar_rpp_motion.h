@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs d89f308da58fcf7ea87c2347f1729359ce36981a2c6bf0620d75a22d6ee413a5.
+ * Made from templates/kernel.h.j2; inputs 7bdc386365a6c76cdaae9519e83eb2b78b083208a21f4fa0defccb9c0e88c4be.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d89f308da58fcf7ea87c2347f1729359ce36981a2c6bf0620d75a22d6ee413a5.
+Made from templates/kernel.py.j2; inputs 7bdc386365a6c76cdaae9519e83eb2b78b083208a21f4fa0defccb9c0e88c4be.
 331 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

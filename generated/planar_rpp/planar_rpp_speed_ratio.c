@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs e962b56ec9478663c8195132a4a7bf0d391c1071f92f35b757e0b8616a0fffd9.
+ * Made from templates/kernel.c.j2; inputs 54faa4f7e1718e34fc10dd1b680dd29fb3e157654373d87269b57b913ee9fa4a.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "e962b56ec9478663c8195132a4a7bf0d391c1071f92f35b757e0b8616a0fffd9";
+const char planar_rpp_speed_ratio_digest[] = "54faa4f7e1718e34fc10dd1b680dd29fb3e157654373d87269b57b913ee9fa4a";
 #endif
 
 #define LANES 64

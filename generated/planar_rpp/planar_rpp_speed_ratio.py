@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e962b56ec9478663c8195132a4a7bf0d391c1071f92f35b757e0b8616a0fffd9.
+Made from templates/kernel.py.j2; inputs 54faa4f7e1718e34fc10dd1b680dd29fb3e157654373d87269b57b913ee9fa4a.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

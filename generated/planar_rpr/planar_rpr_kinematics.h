@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 713543efa4486ee1149cb2c1efb7caf3d269a9da4297cd3fe26498f5639ecc9b.
+ * Made from templates/kernel.h.j2; inputs 410c18cc6fde04b6d6d6e9c3a2acd4804bb72e544998746090c41028386b1097.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 8aae50e3cc8f7654115054a028008b6f8868c0945a95c484b75d234d97ffd9ef.
+ * Made from templates/kernel.c.j2; inputs 98666c1d8137356625ffde4482fb17e7e047d83085139a85e39762aeecf5dec4.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "8aae50e3cc8f7654115054a028008b6f8868c0945a95c484b75d234d97ffd9ef";
+const char planar_rpr_motion_digest[] = "98666c1d8137356625ffde4482fb17e7e047d83085139a85e39762aeecf5dec4";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8aae50e3cc8f7654115054a028008b6f8868c0945a95c484b75d234d97ffd9ef.
+Made from templates/kernel.py.j2; inputs 98666c1d8137356625ffde4482fb17e7e047d83085139a85e39762aeecf5dec4.
 307 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

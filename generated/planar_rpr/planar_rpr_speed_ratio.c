@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 3e3843c22ce2d73d724c1289023f7bd4bb24dcb0d260402baa108d0aba6a4c04.
+ * Made from templates/kernel.c.j2; inputs 3c8b651604fdafa15b9d59a62a3b888a8df0c4514524c509c2359f456d36ce49.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "3e3843c22ce2d73d724c1289023f7bd4bb24dcb0d260402baa108d0aba6a4c04";
+const char planar_rpr_speed_ratio_digest[] = "3c8b651604fdafa15b9d59a62a3b888a8df0c4514524c509c2359f456d36ce49";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 3e3843c22ce2d73d724c1289023f7bd4bb24dcb0d260402baa108d0aba6a4c04.
+ * Made from templates/kernel.h.j2; inputs 3c8b651604fdafa15b9d59a62a3b888a8df0c4514524c509c2359f456d36ce49.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

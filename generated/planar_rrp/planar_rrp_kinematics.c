@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 02084c398a2b520345bc6150bcf9229ff7684660d5488c152277c7ed7434d1f1.
+ * Made from templates/kernel.c.j2; inputs 7d67e5fcabf3701df9651bb6c5f8987a3bee9f7f3d325e27c3a4774f16e58748.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "02084c398a2b520345bc6150bcf9229ff7684660d5488c152277c7ed7434d1f1";
+const char planar_rrp_kinematics_digest[] = "7d67e5fcabf3701df9651bb6c5f8987a3bee9f7f3d325e27c3a4774f16e58748";
 #endif
 
 #define LANES 64

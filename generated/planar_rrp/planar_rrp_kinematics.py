@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 02084c398a2b520345bc6150bcf9229ff7684660d5488c152277c7ed7434d1f1.
+Made from templates/kernel.py.j2; inputs 7d67e5fcabf3701df9651bb6c5f8987a3bee9f7f3d325e27c3a4774f16e58748.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs d0425bc102739adffee1d64b479df9a0d3d1cf49f20ab9ec879a153ceb736efc.
+ * Made from templates/kernel.c.j2; inputs 30cfd2bc19f9b3bd3f03ec496592ea6cda5a6268bebfec8773fdfa6605f45dc3.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "d0425bc102739adffee1d64b479df9a0d3d1cf49f20ab9ec879a153ceb736efc";
+const char planar_rrp_motion_digest[] = "30cfd2bc19f9b3bd3f03ec496592ea6cda5a6268bebfec8773fdfa6605f45dc3";
 #endif
 
 #define LANES 64

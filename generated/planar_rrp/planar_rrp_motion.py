@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d0425bc102739adffee1d64b479df9a0d3d1cf49f20ab9ec879a153ceb736efc.
+Made from templates/kernel.py.j2; inputs 30cfd2bc19f9b3bd3f03ec496592ea6cda5a6268bebfec8773fdfa6605f45dc3.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 259aa4ed73a5a75e9ee7cb4a71d7ee591ff291d6f14c2b98547cc86ee3096d85.
+ * Made from templates/kernel.c.j2; inputs 3a60cda0d3f7c22979dde818c34c9605fafc5d1edb5c40161d4c984728710516.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "259aa4ed73a5a75e9ee7cb4a71d7ee591ff291d6f14c2b98547cc86ee3096d85";
+const char planar_rrp_speed_ratio_digest[] = "3a60cda0d3f7c22979dde818c34c9605fafc5d1edb5c40161d4c984728710516";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 259aa4ed73a5a75e9ee7cb4a71d7ee591ff291d6f14c2b98547cc86ee3096d85.
+Made from templates/kernel.py.j2; inputs 3a60cda0d3f7c22979dde818c34c9605fafc5d1edb5c40161d4c984728710516.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """continuation position of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2660cba506922ee542ac762c1b924def7a37e4dd63bd648f5fac501551cb1e1f.
+Made from templates/kernel.py.j2; inputs a60aea0ba3a0e6014b887154785380414b1d5e3a21a6d9b984591327b3e75c54.
 123 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

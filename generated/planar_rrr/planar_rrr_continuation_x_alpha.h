@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 2660cba506922ee542ac762c1b924def7a37e4dd63bd648f5fac501551cb1e1f.
+ * Made from templates/kernel.h.j2; inputs a60aea0ba3a0e6014b887154785380414b1d5e3a21a6d9b984591327b3e75c54.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs dcb87440b786765c0fd6e3927d2e7e29249bfe16dffb04373629cfdf332de81b.
+ * Made from templates/kernel.c.j2; inputs 184fedc3d98b708686ba1ec32b2b649ab412c0ca14f0ebd22b7c5ce51a20c60d.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "dcb87440b786765c0fd6e3927d2e7e29249bfe16dffb04373629cfdf332de81b";
+const char planar_rrr_motion_digest[] = "184fedc3d98b708686ba1ec32b2b649ab412c0ca14f0ebd22b7c5ce51a20c60d";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dcb87440b786765c0fd6e3927d2e7e29249bfe16dffb04373629cfdf332de81b.
+Made from templates/kernel.py.j2; inputs 184fedc3d98b708686ba1ec32b2b649ab412c0ca14f0ebd22b7c5ce51a20c60d.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_position.h: manipulability (position) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 21019d7f6ddf291f2f4fe7d117f21a559074a7918e2d1d8d6e9c92e3656f396b.
+ * Made from templates/kernel.h.j2; inputs 939bca8c6779baae283eb665934ba6beb77ccedd01f20d64056979439f2c0d13.
  * 245 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 4b321458c6ff906f14edeb30b91d835c573da0e9227bd8715bc9f5cb5bbac879.
+ * Made from templates/kernel.c.j2; inputs e9f778eb04314b7356e2234d48be7d221558100f1888c04f4123f061014c012c.
  * 1575 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "4b321458c6ff906f14edeb30b91d835c573da0e9227bd8715bc9f5cb5bbac879";
+const char planar_rrr_self_motion_digest[] = "e9f778eb04314b7356e2234d48be7d221558100f1888c04f4123f061014c012c";
 #endif
 
 #define LANES 64

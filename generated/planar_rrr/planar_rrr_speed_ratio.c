@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 41aacb52b819d8c72efe59576becf5c19fd9857a9591a7784f0c27f1e1679e8a.
+ * Made from templates/kernel.c.j2; inputs 23d69d6726b6d4e07cc4fb086e89d8175b19ba105e70eac33f22a28f9d0cba68.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "41aacb52b819d8c72efe59576becf5c19fd9857a9591a7784f0c27f1e1679e8a";
+const char planar_rrr_speed_ratio_digest[] = "23d69d6726b6d4e07cc4fb086e89d8175b19ba105e70eac33f22a28f9d0cba68";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.c: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 21019d7f6ddf291f2f4fe7d117f21a559074a7918e2d1d8d6e9c92e3656f396b.
+ * Made from templates/kernel.c.j2; inputs 939bca8c6779baae283eb665934ba6beb77ccedd01f20d64056979439f2c0d13.
  * 311 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_x_alpha_digest[] = "21019d7f6ddf291f2f4fe7d117f21a559074a7918e2d1d8d6e9c92e3656f396b";
+const char planar_rrr_x_alpha_digest[] = "939bca8c6779baae283eb665934ba6beb77ccedd01f20d64056979439f2c0d13";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 21a485c72a136aebf834cc19bed906695db8b029fe08e7a9fd4ab4c73b045028.
+ * Made from templates/kernel.c.j2; inputs 5ba06e84b9228a525c780261cf964e27fc0785e204773d83329b9007e91cc8ac.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "21a485c72a136aebf834cc19bed906695db8b029fe08e7a9fd4ab4c73b045028";
+const char puma560_kinematics_digest[] = "5ba06e84b9228a525c780261cf964e27fc0785e204773d83329b9007e91cc8ac";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 21a485c72a136aebf834cc19bed906695db8b029fe08e7a9fd4ab4c73b045028.
+Made from templates/kernel.py.j2; inputs 5ba06e84b9228a525c780261cf964e27fc0785e204773d83329b9007e91cc8ac.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

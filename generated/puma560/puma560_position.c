@@ -1,5 +1,5 @@
 /* puma560_position.c: manipulability (position) of puma560.
- * Made from templates/kernel.c.j2; inputs 3dfaa42bd46e48965b8691487d3067e2c287cc570c2d816efd7bc5c209f39f05.
+ * Made from templates/kernel.c.j2; inputs e3c7d767b1f9a72daa73054b59e968b695823e03ead5679e75da58973642b2db.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_position_digest[] = "3dfaa42bd46e48965b8691487d3067e2c287cc570c2d816efd7bc5c209f39f05";
+const char puma560_position_digest[] = "e3c7d767b1f9a72daa73054b59e968b695823e03ead5679e75da58973642b2db";
 #endif
 
 #define LANES 64

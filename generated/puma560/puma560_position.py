@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3dfaa42bd46e48965b8691487d3067e2c287cc570c2d816efd7bc5c209f39f05.
+Made from templates/kernel.py.j2; inputs e3c7d767b1f9a72daa73054b59e968b695823e03ead5679e75da58973642b2db.
 435 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

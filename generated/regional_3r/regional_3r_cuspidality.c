@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 11b507d0bad750d40414a8abb6daa98d72b1953809de4218537793316bbac18f.
+ * Made from templates/kernel.c.j2; inputs 78be43b1a0d511aa9824a6283190700902ab4b3144ab5bd4f7980d7fe4dc8de5.
  * 6368 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "11b507d0bad750d40414a8abb6daa98d72b1953809de4218537793316bbac18f";
+const char regional_3r_cuspidality_digest[] = "78be43b1a0d511aa9824a6283190700902ab4b3144ab5bd4f7980d7fe4dc8de5";
 #endif
 
 #define LANES 32

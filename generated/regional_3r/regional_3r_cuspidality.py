@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 11b507d0bad750d40414a8abb6daa98d72b1953809de4218537793316bbac18f.
+Made from templates/kernel.py.j2; inputs 78be43b1a0d511aa9824a6283190700902ab4b3144ab5bd4f7980d7fe4dc8de5.
 6368 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

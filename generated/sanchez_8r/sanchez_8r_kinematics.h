@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 265ce33c6cd5f6cda42905b1eefb3301eedd005fbbcb49cba77d99e2ee1483ed.
+ * Made from templates/kernel.h.j2; inputs edfaf185cb5bd7f3d401c8ff55fcafd2db9b7e3027658e3ea101b2f336dda83b.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

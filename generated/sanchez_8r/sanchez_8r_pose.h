@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 3c723848f7ad0ad68211d2066c1c21601141c78aa2668b67fedf5829080811dd.
+ * Made from templates/kernel.h.j2; inputs 365bd5d22754633f5c59a31d31bd583d23f974fa69d45e415362e95c0af07cfc.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 3c723848f7ad0ad68211d2066c1c21601141c78aa2668b67fedf5829080811dd.
+ * Made from templates/kernel.c.j2; inputs 365bd5d22754633f5c59a31d31bd583d23f974fa69d45e415362e95c0af07cfc.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "3c723848f7ad0ad68211d2066c1c21601141c78aa2668b67fedf5829080811dd";
+const char sanchez_8r_position_digest[] = "365bd5d22754633f5c59a31d31bd583d23f974fa69d45e415362e95c0af07cfc";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3c723848f7ad0ad68211d2066c1c21601141c78aa2668b67fedf5829080811dd.
+Made from templates/kernel.py.j2; inputs 365bd5d22754633f5c59a31d31bd583d23f974fa69d45e415362e95c0af07cfc.
 2301 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

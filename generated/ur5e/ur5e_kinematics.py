@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dadf63c5dc8e93477385bea1f04b9aee9837fcbaa692271dff7e5a81ac6dd484.
+Made from templates/kernel.py.j2; inputs 197a39ec275eb69c5fe348f5eccb55b917a9802acbfa8a15ae36b4347d138342.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs b53a8229bfe76c62dfa6f3445f81a47487c1ca29b1210dda037728caf860b3b8.
+ * Made from templates/kernel.h.j2; inputs 482a32018e56a7754282fecf2594b6ce9bebeb6d43c5396295dbeb3f151e5d2b.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b53a8229bfe76c62dfa6f3445f81a47487c1ca29b1210dda037728caf860b3b8.
+Made from templates/kernel.py.j2; inputs 482a32018e56a7754282fecf2594b6ce9bebeb6d43c5396295dbeb3f151e5d2b.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs b53a8229bfe76c62dfa6f3445f81a47487c1ca29b1210dda037728caf860b3b8.
+ * Made from templates/kernel.c.j2; inputs 482a32018e56a7754282fecf2594b6ce9bebeb6d43c5396295dbeb3f151e5d2b.
  * 1082 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "b53a8229bfe76c62dfa6f3445f81a47487c1ca29b1210dda037728caf860b3b8";
+const char ur5e_position_digest[] = "482a32018e56a7754282fecf2594b6ce9bebeb6d43c5396295dbeb3f151e5d2b";
 #endif
 
 #define LANES 64
