@@ -1,5 +1,5 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579.
+ * Made from templates/kernel.h.j2; inputs 073a61c8cd170e88d45a94236936c3621f4f794702cadbad366db02bc62e78c3.
  * 1041 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1ad76df093a6ec1d77e02fdb1f32ddcb26b64549acb519d8cfdef0c3e13e4cdb.
+Made from templates/kernel.py.j2; inputs f5f3d9cd6f9930a510c812328533a2085af4791d69d700ab9bbca60f3d2cb9a0.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723.
+ * Made from templates/kernel.h.j2; inputs 7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

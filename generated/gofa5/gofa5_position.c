@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723.
+ * Made from templates/kernel.c.j2; inputs 7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723";
+const char gofa5_position_digest[] = "7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f8224187d20eb8f5a8929330a9bc8d898bc26ece639f0d0f42447a37ed862cfb.
+Made from templates/kernel.py.j2; inputs 2b5552ddfc3ac3e3a8ba6425d171c802c6821f8e189cbfef7064e972d5bcd89a.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

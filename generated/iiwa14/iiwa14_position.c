@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62.
+ * Made from templates/kernel.c.j2; inputs f79bdcdd2e2df3fdec6b12a39f7e03276b10ab35206cf8b0b972f8e651d89857.
  * 1422 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62";
+const char iiwa14_position_digest[] = "f79bdcdd2e2df3fdec6b12a39f7e03276b10ab35206cf8b0b972f8e651d89857";
 #endif
 
 #define LANES 64

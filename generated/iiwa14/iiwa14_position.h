@@ -1,5 +1,5 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62.
+ * Made from templates/kernel.h.j2; inputs f79bdcdd2e2df3fdec6b12a39f7e03276b10ab35206cf8b0b972f8e651d89857.
  * 1422 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

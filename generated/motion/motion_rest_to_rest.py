@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec.
+Made from templates/kernel.py.j2; inputs 66279100e2b57aa8b3acd5b7a2afdda5de2c3955f26b3f16b9f2da383f31add1.
 56 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

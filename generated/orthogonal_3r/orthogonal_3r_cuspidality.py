@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d2ab704a0c66ffe13e4beaab0ab6e0b2f1af15e2b39f5717fa9483ff1be54810.
+Made from templates/kernel.py.j2; inputs f449ac50a5d3e3980956fedac54b9095100ecdb6b3a8285d4e0d2ea86ca96ea5.
 2072 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

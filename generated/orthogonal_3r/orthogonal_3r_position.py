@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs be3715ed77432e894956fa73bdecc091ea45c9299ca6832d5abde7670138dce8.
+Made from templates/kernel.py.j2; inputs b010c1657566f508010d8a18dd8e8942841390d12a5a83d50d3b196db2092b0c.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

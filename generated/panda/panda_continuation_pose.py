@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 901ef2859ab14e16b0a87d0086986b53150bcf65ab8594b545f55ac525a9687f.
+Made from templates/kernel.py.j2; inputs 2a05a312d814ada3b652d2d3286a8150ed6627a3118f2c5fd472e453c8a027fd.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454.
+Made from templates/kernel.py.j2; inputs a07185f509f377c1896108ee29ea65d087c39bb4490780c3bea0c3756a95a9de.
 1582 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

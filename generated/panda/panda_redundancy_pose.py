@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e67a7e7d99f1ebc7019ab0dfbdc9154fa0ac7190a6567ae7b307d4f90bfd9060.
+Made from templates/kernel.py.j2; inputs 0d59eb23e5e6e550236eb28f1dfe5e68d9bb7fb6d66711884c8de7c6b83b6029.
 2948 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 13d5b82c1007189cbef4114838bfa3761047a6b52871bd6fdd583e858179a944.
+Made from templates/kernel.py.j2; inputs ad16b588cb72fe8b28e1284928e92950c15c17a99ce85ce36a9fd2c2f9fd95d5.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

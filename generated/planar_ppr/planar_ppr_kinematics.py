@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a7296998057d8aacd0a4703ae97474bf28906ee871e44c9c82475af2251487d4.
+Made from templates/kernel.py.j2; inputs 7bf00973eb895af32a0c5123cf26b8ffada16e456fa28c0f9ab477cc9237a5ab.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 42d5d7dddaac77fa1b968b64909371a59c89968cf97ad01f5df56b04b8d7dec9.
+Made from templates/kernel.py.j2; inputs 6a80da92cb734393461176240adba00a8a7720d2e08b67163d61ceddf713a232.
 161 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 311c0ea734526b055de764518161e44025e63c5dcf511458773c6b2e54da93ea.
+ * Made from templates/kernel.h.j2; inputs 9682709595e9af336e65e8c5710f2afe2528c45e842661a705fc45cc3034ce84.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 311c0ea734526b055de764518161e44025e63c5dcf511458773c6b2e54da93ea.
+Made from templates/kernel.py.j2; inputs 9682709595e9af336e65e8c5710f2afe2528c45e842661a705fc45cc3034ce84.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

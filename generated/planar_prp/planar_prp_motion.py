@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac.
+Made from templates/kernel.py.j2; inputs 78de7cc9e1e89c900379f827942d843ca2cf09c16e5d5922229e439b421703a1.
 232 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

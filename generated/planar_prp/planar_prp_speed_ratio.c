@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs bb39b06a88a0e85178591250d4a3deaa49ab934b8064cf02f8dacae2ca6cf013.
+ * Made from templates/kernel.c.j2; inputs 9978ef8a12c82a5f5e877080196587230c746b04d21bbb342cce5403c24fb402.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "bb39b06a88a0e85178591250d4a3deaa49ab934b8064cf02f8dacae2ca6cf013";
+const char planar_prp_speed_ratio_digest[] = "9978ef8a12c82a5f5e877080196587230c746b04d21bbb342cce5403c24fb402";
 #endif
 
 #define LANES 64

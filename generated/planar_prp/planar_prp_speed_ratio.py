@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bb39b06a88a0e85178591250d4a3deaa49ab934b8064cf02f8dacae2ca6cf013.
+Made from templates/kernel.py.j2; inputs 9978ef8a12c82a5f5e877080196587230c746b04d21bbb342cce5403c24fb402.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

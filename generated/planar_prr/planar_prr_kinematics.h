@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs f47db54d265ee08e23e9f914a543bcafc88abbb8be752df2ed405e42f4afd4b0.
+ * Made from templates/kernel.h.j2; inputs b75227924e68b911a9548661293d20e210e09418edcbae8ad42011f1fe1e4fbd.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

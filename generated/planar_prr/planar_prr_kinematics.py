@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f47db54d265ee08e23e9f914a543bcafc88abbb8be752df2ed405e42f4afd4b0.
+Made from templates/kernel.py.j2; inputs b75227924e68b911a9548661293d20e210e09418edcbae8ad42011f1fe1e4fbd.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

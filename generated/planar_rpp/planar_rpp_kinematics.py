@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56.
+Made from templates/kernel.py.j2; inputs ca045d7e5310a81ca3cd62f2d4f03bb7de40085ad4539b5ba520890df40a74b4.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

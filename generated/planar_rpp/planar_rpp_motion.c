@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs b062527f0f48ad1f5a59e2fe5648dfa71652b1fe72bc772f895797ff80ae291b.
+ * Made from templates/kernel.c.j2; inputs a2fc719bd68fa6b89412a468ccf8ad3a53229bab4fa3623b6298020da564e945.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "b062527f0f48ad1f5a59e2fe5648dfa71652b1fe72bc772f895797ff80ae291b";
+const char planar_rpp_motion_digest[] = "a2fc719bd68fa6b89412a468ccf8ad3a53229bab4fa3623b6298020da564e945";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs b062527f0f48ad1f5a59e2fe5648dfa71652b1fe72bc772f895797ff80ae291b.
+ * Made from templates/kernel.h.j2; inputs a2fc719bd68fa6b89412a468ccf8ad3a53229bab4fa3623b6298020da564e945.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

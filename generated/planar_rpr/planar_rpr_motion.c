@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 1153ca297da30f675dafd4f85474b7d48c1ba630a29fb02c27f231f61e0c3a5b.
+ * Made from templates/kernel.c.j2; inputs 66bca06c6ff1c34c4c50d19dc26e49f18a0280d72d5fd7dd0ea5bf33dc60a929.
  * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "1153ca297da30f675dafd4f85474b7d48c1ba630a29fb02c27f231f61e0c3a5b";
+const char planar_rpr_motion_digest[] = "66bca06c6ff1c34c4c50d19dc26e49f18a0280d72d5fd7dd0ea5bf33dc60a929";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034.
+Made from templates/kernel.py.j2; inputs c53ce2a69973c746c8d2f18e88abaa31ff636a4c1b49e0fa613c32f15dd82153.
 272 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ec41330291f3344e8f790e9874a0585f93fda83c090501151eb6d95f5863a4a9.
+Made from templates/kernel.py.j2; inputs b0a8b5e907ddcdd973ed7c5cb305f2de0f36493f66d39c6ee6a4240c9e8015b4.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """continuation x alpha of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5dbe69071ed55284f18d03abb832a3c7aa9752b098e99a6e4854206ebc570812.
+Made from templates/kernel.py.j2; inputs fab222641ed30c8be491adadb22ab7b1e9a628e646b37fc92024b8219ad8209b.
 102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

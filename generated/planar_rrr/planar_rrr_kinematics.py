@@ -1,6 +1,6 @@
 """kinematics of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
+Made from templates/kernel.py.j2; inputs 8541146cff340eca7c004b1ba302a5d5867f3cd2e0acd614de64b9ced73fa647.
 337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs cfa2b475a9a3471630cb427a42ee2d9e9191ca0d7767e2dde7ef4a53254daabc.
+ * Made from templates/kernel.h.j2; inputs 320fb81fc76a1747ce225db7f5754cac5d5bb9ddeac5cc2bb1edfab07072f497.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

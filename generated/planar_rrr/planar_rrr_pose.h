@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
+ * Made from templates/kernel.h.j2; inputs 8541146cff340eca7c004b1ba302a5d5867f3cd2e0acd614de64b9ced73fa647.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

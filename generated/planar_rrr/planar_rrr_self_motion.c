@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 0725dde9519e16205fb483bf522493b91ece489b9991eb0477787197e157eec9.
+ * Made from templates/kernel.c.j2; inputs e6f573eaba526cc933ae222137749324305f9e1f54fac8627c0b2562b12e87a9.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "0725dde9519e16205fb483bf522493b91ece489b9991eb0477787197e157eec9";
+const char planar_rrr_self_motion_digest[] = "e6f573eaba526cc933ae222137749324305f9e1f54fac8627c0b2562b12e87a9";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0eb8b3e8ebf83def2826dacdc73694fe899a31c5d776c4ad23167d7dbd9e979b.
+Made from templates/kernel.py.j2; inputs 994a886d20c026f3bac112061f7ebedd9ad95ea6e448ff2d3d4f16e23d9566ce.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 28b0adf57d3b3829ca54d8d1c076dc10dbcba1f0381a2228d527bdce5390cccb.
+ * Made from templates/kernel.h.j2; inputs 354a5cd987e6ea55150195c9ffa6f0ee32bb95137837d5c0887153e2e2704564.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c.
+ * Made from templates/kernel.c.j2; inputs a3d06a0c19a7d98377a8b122eed84e4dfbb0f3c70185190c228ce3a10f1194f2.
  * 3500 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c";
+const char regional_3r_cuspidality_digest[] = "a3d06a0c19a7d98377a8b122eed84e4dfbb0f3c70185190c228ce3a10f1194f2";
 #endif
 
 #define LANES 32

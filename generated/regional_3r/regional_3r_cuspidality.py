@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c.
+Made from templates/kernel.py.j2; inputs a3d06a0c19a7d98377a8b122eed84e4dfbb0f3c70185190c228ce3a10f1194f2.
 3500 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

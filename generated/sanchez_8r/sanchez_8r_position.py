@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645.
+Made from templates/kernel.py.j2; inputs 3bc207efe2b7b155a414b00a56be82a13f2525af752ee2f9c91eaceeb2231979.
 1962 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """redundancy pose of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9e93a116e0c8085329780e20970f37f1cc468ca1eb8371f89b674c5a086dd7dd.
+Made from templates/kernel.py.j2; inputs 45d8c4abaa26720cc6c4bb4872708f83bf49f377d12e1b96efea0363ed2b4f70.
 3895 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec.
+ * Made from templates/kernel.c.j2; inputs 62914732b95c8913d70905efc8d502dc9a14019cbcbb255bbd2e0be2bb55e332.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec";
+const char ur5e_kinematics_digest[] = "62914732b95c8913d70905efc8d502dc9a14019cbcbb255bbd2e0be2bb55e332";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.h: kinematics of ur5e.
- * Made from templates/kernel.h.j2; inputs 14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec.
+ * Made from templates/kernel.h.j2; inputs 62914732b95c8913d70905efc8d502dc9a14019cbcbb255bbd2e0be2bb55e332.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

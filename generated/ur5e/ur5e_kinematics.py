@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec.
+Made from templates/kernel.py.j2; inputs 62914732b95c8913d70905efc8d502dc9a14019cbcbb255bbd2e0be2bb55e332.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 7692a882290b6e1199cf874baefa2e958aca632c9b17f5da60b02cb38fb61b66.
+ * Made from templates/kernel.c.j2; inputs 0bf0b4fdbdd4768e3734f5913460c519f334060678ab53a734a4dec054b6d9fd.
  * 893 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "7692a882290b6e1199cf874baefa2e958aca632c9b17f5da60b02cb38fb61b66";
+const char ur5e_position_digest[] = "0bf0b4fdbdd4768e3734f5913460c519f334060678ab53a734a4dec054b6d9fd";
 #endif
 
 #define LANES 64

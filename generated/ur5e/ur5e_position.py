@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7692a882290b6e1199cf874baefa2e958aca632c9b17f5da60b02cb38fb61b66.
+Made from templates/kernel.py.j2; inputs 0bf0b4fdbdd4768e3734f5913460c519f334060678ab53a734a4dec054b6d9fd.
 893 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
