@@ -26,6 +26,7 @@ from chainrule.derive import (
     planar_dynamics,
     planar_motion,
     quartic,
+    redundancy,
     regional_3r,
     regional_postures,
     rest_to_rest,
@@ -55,8 +56,10 @@ STANDING: dict[Model, tuple[str, ...]] = {
     **{planar_model("".join(kinds)): ("kinematics", "motion", "speed_ratio") for kinds in product("RP", repeat=3)},
 }
 
-#: Groups that are made on first use, except for these embedded arms, for which they are generated beforehand.
-SHIPPED: dict[str, tuple[str, ...]] = {"dynamics": ("sanchez_8r", "panda")}
+#: Groups that are made on first use, although they belong to embedded arms: what the name of a group begins with.
+#: Those that are generated all the same, by model.
+FIRST_USE = ("redundancy", "priority", "dynamics")
+SHIPPED: dict[str, tuple[str, ...]] = dict.fromkeys(("panda", "sanchez_8r"), ("redundancy_pose", "dynamics"))
 
 #: Models with results in closed form: ``minors(arm)`` of the position Jacobian, perhaps ``survey(arm)`` and the like.
 CLOSED_FORMS: dict[str, ModuleType] = {"planar_rrr": planar_3r, "orthogonal_3r": orthogonal_3r}
@@ -199,6 +202,18 @@ def curve(model: Model, group: str) -> Curve | None:
     return Curve(task, model.kinds, bool(model.parameter_names), positions, int(task != "x_alpha"), spatial)
 
 
+def redundancy_step(subject: Subject, task: str) -> Program | None:
+    """The step along a task."""
+    own = Subject(subject.model, task)
+    return redundancy.step(own.family, own.arm, task, own.weights)
+
+
+def priority_step(subject: Subject, task: str) -> Program | None:
+    """The step along a task, with a secondary task."""
+    own = Subject(subject.model, task)
+    return redundancy.priority(own.family, own.arm, task, own.weights, own.spare)
+
+
 def sweep(subject: Subject, make: Callable[[regional_3r.Arm], Program]) -> Program | None:
     """What sweeping a joint of a redundant arm takes: of the general 3R arm only."""
     return make(subject.regional) if subject.family is regional_3r else None
@@ -254,6 +269,11 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: orthogonal_designs.exact_sides() if s.closed is orthogonal_3r else None),
     *(Entry("cuspidality", partial(sweep, make=make)) for make in self_motion_sweep.EVERY),
     Entry("dynamics", lambda s: (planar_dynamics if s.planar else dynamics).inverse_dynamics(s.arm)),
+    *(
+        Entry(f"{kind}_{task}", partial(make, task=task))
+        for kind, make in (("redundancy", redundancy_step), ("priority", priority_step))
+        for task in ("position", "x_alpha", "pose")
+    ),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -268,8 +288,25 @@ def groups(model: Model) -> tuple[str, ...]:
     return ("kinematics", *(task for task, rows in tasks.items() if rows <= len(model.kinds)), *extras(model))
 
 
+def first_use(model: Model) -> tuple[str, ...]:
+    """The groups of a model that are made on first use: for the :data:`SHIPPED` ones that has been done.
+
+    For each task with no more rows than joints ``redundancy_<task>`` (the step along it), where joints are to spare
+    ``priority_<task>`` (with a secondary task), and ``dynamics``.
+    """
+    n, tasks = len(model.kinds), FAMILIES[model.family][1]
+    steps = (f"redundancy_{task}" for task, rows in tasks.items() if rows <= n)
+    more = (f"priority_{task}" for task, rows in tasks.items() if rows < n)
+    return (*steps, *more, *(("dynamics",) if tasks else ()))
+
+
+def generated(model: Model) -> tuple[str, ...]:
+    """The groups of an embedded arm's model in ``generated/``."""
+    return (*groups(model), *SHIPPED.get(model.name, ()))
+
+
 def extras(model: Model) -> tuple[str, ...]:
-    """Groups beside the kinematics and the tasks: ``dynamics`` of every arm, and what only some models have.
+    """Groups that only some models have.
 
     Planar arms have ``motion`` (the tip's path along a joint motion), with 3 or 4 joints ``speed_ratio``, and the RRR
     arms ``self_motion`` (in closed form); arms with one joint more than a task has rows have ``continuation_<task>``;
@@ -279,15 +316,9 @@ def extras(model: Model) -> tuple[str, ...]:
     if model.family == "planar":
         closed = ("self_motion",) if model.name == "planar_rrr" else ()
         more = ("motion", "speed_ratio", *closed) if len(model.kinds) in (3, 4) else ("motion",)
-        return (*more, *continuations(model), "dynamics")
+        return (*more, *continuations(model))
     others = {"motion": "rest_to_rest", "orthogonal_3r": "cuspidality", "regional_3r": "cuspidality"}
-    more = (others[model.family],) if model.family in others else continuations(model)
-    return (*more, "dynamics") if FAMILIES[model.family][1] else more
-
-
-def shipped(model: Model) -> tuple[str, ...]:
-    """The groups that are generated beforehand for an embedded arm of this model; others are made on first use."""
-    return tuple(group for group in groups(model) if group not in SHIPPED or model.name in SHIPPED[group])
+    return (others[model.family],) if model.family in others else continuations(model)
 
 
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
@@ -296,13 +327,15 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     if group in continuations(model):
         return (family, self_motion)
+    if group in first_use(model):
+        moving = planar_dynamics if family is planar else dynamics
+        return (family, *closed, moving if group == "dynamics" else redundancy)
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
         known: dict[str, tuple[ModuleType, ...]] = {
             "motion": (planar_motion,),
             "speed_ratio": (ratios,),
             "self_motion": (self_motion_planar_3r,),
-            "dynamics": (family, *closed, planar_dynamics if family is planar else dynamics),
             "cuspidality": (nodes_3r, orthogonal_designs, quartic, regional_postures, self_motion_sweep),
         }
         return known.get(group, (family,))

@@ -97,7 +97,7 @@ def embedded(places: Places) -> dict[str, Description]:
 def planned(arms: Iterable[Description]) -> dict[str, tuple[Model, str]]:
     """The units that the given arms need, and the standing ones: model and group by unit name.
 
-    Arms of one family share their units. Groups of :data:`catalogue.SHIPPED` are there for its arms only.
+    Arms of one family share their units. Groups made on first use are there where :data:`catalogue.SHIPPED` says.
     """
     from chainrule.derive import catalogue
 
@@ -107,7 +107,7 @@ def planned(arms: Iterable[Description]) -> dict[str, tuple[Model, str]]:
         if known.digest != arm.model.digest:
             raise ValueError(f"two embedded arms share the identifier {arm.model.name} but differ in geometry")
     found = {f"{m.name}_{group}": (m, group) for m, groups in catalogue.STANDING.items() for group in groups}
-    return found | {f"{m.name}_{group}": (m, group) for m in models.values() for group in catalogue.shipped(m)}
+    return found | {f"{m.name}_{group}": (m, group) for m in models.values() for group in catalogue.generated(m)}
 
 
 def headers(places: Places) -> dict[str, str]:

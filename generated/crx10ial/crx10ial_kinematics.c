@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 1883c050bec34042b24858cc5ae0b60a1febb4b2105eac5977dbe9f758dfa971.
+ * Made from templates/kernel.c.j2; inputs e62b9b6714c4b2d9bf54df0307fa9b7009309622ae35886592275a831b3c76b2.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "1883c050bec34042b24858cc5ae0b60a1febb4b2105eac5977dbe9f758dfa971";
+const char crx10ial_kinematics_digest[] = "e62b9b6714c4b2d9bf54df0307fa9b7009309622ae35886592275a831b3c76b2";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1883c050bec34042b24858cc5ae0b60a1febb4b2105eac5977dbe9f758dfa971.
+Made from templates/kernel.py.j2; inputs e62b9b6714c4b2d9bf54df0307fa9b7009309622ae35886592275a831b3c76b2.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs e6f23dc2db76f8e4bf0f7abe736ac48df67ed2abf67f2abff4f8aced699e42ee.
+ * Made from templates/kernel.c.j2; inputs 92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "e6f23dc2db76f8e4bf0f7abe736ac48df67ed2abf67f2abff4f8aced699e42ee";
+const char crx10ial_pose_digest[] = "92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e";
 #endif
 
 #define LANES 64

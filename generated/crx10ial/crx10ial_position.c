@@ -1,6 +1,6 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs e6f23dc2db76f8e4bf0f7abe736ac48df67ed2abf67f2abff4f8aced699e42ee.
- * 1276 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e.
+ * 1041 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "e6f23dc2db76f8e4bf0f7abe736ac48df67ed2abf67f2abff4f8aced699e42ee";
+const char crx10ial_position_digest[] = "92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e";
 #endif
 
 #define LANES 64

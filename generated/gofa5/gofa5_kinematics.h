@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 4dfcdbdd3b74f1963890174fab0e789e6a3827759d4ed75d07600f1925036573.
+ * Made from templates/kernel.h.j2; inputs 9c04e6884efeeea069bb8d7ea1e7ab8ff055aaa6702ff73e4d0cb48512b0686b.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0c113ba3e928ecf2414714431c6ea3e1151f9cea84687aaf837c705d1ea9cd09.
+Made from templates/kernel.py.j2; inputs 73ed1ca6784a5089c13c4f4c56c19d7847f80cfe68a6628bfa421a9528e41c3a.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 7398d495adcaad238e9e9bdc16e5cf87a67567e232426a940716ed2d0b080029.
+ * Made from templates/kernel.c.j2; inputs bce1d637dd6a7e48c59c0d2e5eae2c04bdf8724643a565bd5fccc85cd5af6c95.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "7398d495adcaad238e9e9bdc16e5cf87a67567e232426a940716ed2d0b080029";
+const char iiwa14_continuation_pose_digest[] = "bce1d637dd6a7e48c59c0d2e5eae2c04bdf8724643a565bd5fccc85cd5af6c95";
 #endif
 
 #define LANES 32

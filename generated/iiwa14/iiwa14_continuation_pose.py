@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7398d495adcaad238e9e9bdc16e5cf87a67567e232426a940716ed2d0b080029.
+Made from templates/kernel.py.j2; inputs bce1d637dd6a7e48c59c0d2e5eae2c04bdf8724643a565bd5fccc85cd5af6c95.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

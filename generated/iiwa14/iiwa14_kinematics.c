@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 90201d5522a68e1f6b36f7a117f0fb034823ca9b084594077e09a51aa2a5d354.
+ * Made from templates/kernel.c.j2; inputs e5fee43d2038b92c3da8171fec37256aedeacdf1c730132cbc4b8922ad832aef.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "90201d5522a68e1f6b36f7a117f0fb034823ca9b084594077e09a51aa2a5d354";
+const char iiwa14_kinematics_digest[] = "e5fee43d2038b92c3da8171fec37256aedeacdf1c730132cbc4b8922ad832aef";
 #endif
 
 #define LANES 64

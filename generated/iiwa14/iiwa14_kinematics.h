@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 90201d5522a68e1f6b36f7a117f0fb034823ca9b084594077e09a51aa2a5d354.
+ * Made from templates/kernel.h.j2; inputs e5fee43d2038b92c3da8171fec37256aedeacdf1c730132cbc4b8922ad832aef.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6708c8d8d4a05f24789b4a57fd961d9bcd1c0f2437e9be9fca7f273e2aa47143.
+Made from templates/kernel.py.j2; inputs 7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

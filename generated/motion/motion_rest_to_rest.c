@@ -1,6 +1,6 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs a9969bae83599cf725c396b54529230d57ad54ca53a38d86074d8c3fbbf52e16.
- * 53 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 266c73d0b30f9927b3fde48cab34577ec2102b2f1a7b8cc9bdc459a9de2cd5a6.
+ * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "motion_rest_to_rest.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "a9969bae83599cf725c396b54529230d57ad54ca53a38d86074d8c3fbbf52e16";
+const char motion_rest_to_rest_digest[] = "266c73d0b30f9927b3fde48cab34577ec2102b2f1a7b8cc9bdc459a9de2cd5a6";
 #endif
 
 #define LANES 64

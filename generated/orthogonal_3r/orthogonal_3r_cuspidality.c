@@ -1,6 +1,6 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 5fdbb6194b1ab23949e2d385b0a7a06150ef74177677bb24b81cf7bace992c98.
- * 733 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 40ee5d6be1b04446cd071f36c97075d3aef0c1180c840f684779b879cc43ff7f.
+ * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_cuspidality.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "5fdbb6194b1ab23949e2d385b0a7a06150ef74177677bb24b81cf7bace992c98";
+const char orthogonal_3r_cuspidality_digest[] = "40ee5d6be1b04446cd071f36c97075d3aef0c1180c840f684779b879cc43ff7f";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 5fdbb6194b1ab23949e2d385b0a7a06150ef74177677bb24b81cf7bace992c98.
- * 733 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 40ee5d6be1b04446cd071f36c97075d3aef0c1180c840f684779b879cc43ff7f.
+ * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -138,7 +138,7 @@ void orthogonal_3r_unturned_batchf(ptrdiff_t count, char *const *args, const ptr
  *   in   target[2] = (rho_squared, z)
  *   out  number (one number)
  *   out  margin (one number)
- *   198 operations */
+ *   172 operations */
 void orthogonal_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin);
 void orthogonal_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void orthogonal_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin);

@@ -1,7 +1,7 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5fdbb6194b1ab23949e2d385b0a7a06150ef74177677bb24b81cf7bace992c98.
-733 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 40ee5d6be1b04446cd071f36c97075d3aef0c1180c840f684779b879cc43ff7f.
+707 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -438,7 +438,7 @@ def unturned(parameters, shoulder, elbow):
 
 
 def number_of_postures(parameters, target):
-    """how many postures reach a target; in double precision certainly so where the margin exceeds 1: 198 operations.
+    """how many postures reach a target; in double precision certainly so where the margin exceeds 1: 172 operations.
 
     in   parameters[4] = (d2, d3, d4, r2)
     in   target[2] = (rho_squared, z)
@@ -480,47 +480,47 @@ def number_of_postures(parameters, target):
     t19 = t8 * t10
     t20 = t6 * t10
     t21 = t18 + np.maximum(t19, -t19) + np.maximum(t20, -t20)
-    t22 = t15 / t21
-    t23 = t22 * t22
-    t24 = t17 / t21
-    t25 = t19 / t21
-    t26 = t24 * t24 + t25 * t25
-    t27 = t16 / t21
-    t28 = t27 * t27
-    t29 = t20 / t21
+    t22 = np.where(t21 != 0.0, 1, 0.0)
+    t23 = t22 / (t21 + (1 - t22))
+    t24 = t15 * t23
+    t25 = t24 * t24
+    t26 = t17 * t23
+    t27 = t19 * t23
+    t28 = t26 * t26 + t27 * t27
+    t29 = t16 * t23
     t30 = t29 * t29
-    t31 = t28 + t30
-    t32 = np.where(t21 != 0.0, np.where(t21 != 0.0, t23 + 3 * t26, 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, 3 * t31, 0.0), 0.0)
-    t33 = t32 * t32
-    t34 = t24 * (np.where(t21 != 0.0, np.where(t21 != 0.0, t28, 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, t30, 0.0), 0.0)) + np.where(t21 != 0.0, np.where(t21 != 0.0, t29 * (t25 * (t27 + t27)), 0.0), 0.0)
-    t35 = np.where(t21 != 0.0, np.where(t21 != 0.0, t23 + t23, 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, 18 * t26, 0.0), 0.0)
-    t36 = 27 * t34 + t22 * (t35 - np.where(t21 != 0.0, np.where(t21 != 0.0, 9 * t31, 0.0), 0.0))
-    t37 = 4 * t32 * t33 - np.where(t21 != 0.0, np.where(t21 != 0.0, t36 * t36, 0.0), 0.0)
-    t38 = 0.5 + 0.5 * np.copysign(1, t37)
-    t39 = np.maximum(d3, -d3)
-    t40 = np.maximum(d4, -d4)
-    t41 = t4 + t5 + (t39 + t39) * t40 + (t40 + t40) * np.maximum(r2, -r2)
-    t42 = t41 + np.maximum(rho_squared, -rho_squared)
-    t43 = t39 + t40
-    t44 = np.maximum(d2, -d2)
-    t45 = np.maximum(z, -z)
-    t46 = t42 * t42 + t12 * (t43 * t43) + 4 * (t44 * t44) * (t45 * t45)
-    t47 = 3.552713678800501e-15 / t21 * t46
-    t48 = -0.3333333333333333 * t32
-    t49 = np.where(t21 != 0.0, np.where(t21 != 0.0, t26 + t31, 0.0), 0.0) - np.where(t21 != 0.0, np.where(t21 != 0.0, 0.5555555555555556 * t23, 0.0), 0.0)
-    t50 = 1.3333333333333333 * t22
-    t51 = t48 * t48 + 3 * (t49 * t49) + np.where(t21 != 0.0, np.where(t21 != 0.0, t48 * (t50 * t50), 0.0), 0.0)
-    t52 = t51 + np.where(t21 != 0.0, np.where(t21 != 0.0, t50 * (0.1111111111111111 * t36), 0.0), 0.0) - t49 * (-1.3333333333333333 * t32)
-    t53 = 0.016666666666666666 / np.where(t21 != 0.0, t47, 0.0) * np.minimum(t52, 3 * (3 * t49 - -0.6666666666666666 * t32))
-    t54 = np.where(t21 != 0.0, t36, 0.0)
-    t55 = 72 * t33 + 120 * np.maximum(t54, -t54) + np.where(t21 != 0.0, 5000 * t47, 0.0)
-    t56 = np.maximum(t37, -t37) / np.where(t21 != 0.0, t47 * t55, 0.0)
+    t31 = t20 * t23
+    t32 = t31 * t31
+    t33 = t30 + t32
+    t34 = t25 + 3 * t28 - 3 * t33
+    t35 = t34 * t34
+    t36 = 27 * (t26 * (t30 - t32) + t31 * (t27 * (t29 + t29)))
+    t37 = t36 + t24 * (t25 + t25 - 18 * t28 - 9 * t33)
+    t38 = 4 * t34 * t35 - t37 * t37
+    t39 = 0.5 + 0.5 * np.copysign(1, t38)
+    t40 = np.maximum(d3, -d3)
+    t41 = np.maximum(d4, -d4)
+    t42 = t4 + t5 + (t40 + t40) * t41 + (t41 + t41) * np.maximum(r2, -r2)
+    t43 = t42 + np.maximum(rho_squared, -rho_squared)
+    t44 = t40 + t41
+    t45 = np.maximum(d2, -d2)
+    t46 = np.maximum(z, -z)
+    t47 = t43 * t43 + t12 * (t44 * t44) + 4 * (t45 * t45) * (t46 * t46)
+    t48 = 3.552713678800501e-15 * t23 * t47
+    t49 = -0.3333333333333333 * t34
+    t50 = t28 + t33 - 0.5555555555555556 * t25
+    t51 = 1.3333333333333333 * t24
+    t52 = t49 * t49 + 3 * (t50 * t50) + t49 * (t51 * t51)
+    t53 = np.minimum((t52 + t51 * (0.1111111111111111 * t37) - t50 * (-1.3333333333333333 * t34)), 3 * (3 * t50 - -0.6666666666666666 * t34))
+    t54 = 0.016666666666666666 / t48 * t53
+    t55 = 72 * t35 + 120 * np.maximum(t37, -t37) + 5000 * t48
+    t56 = np.maximum(t38, -t38) / (t48 * t55)
 
     # results
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    number[..., 0] = 2 + t38 * np.copysign(2, t53)
-    margin[..., 0] = np.minimum(t56, t56 * (1 - t38) + np.maximum(t53, -t53))
+    number[..., 0] = 2 + t39 * np.copysign(2, t54)
+    margin[..., 0] = np.minimum(t56, t56 * (1 - t39) + np.maximum(t54, -t54))
     return number.reshape(_leading), margin.reshape(_leading)
 
 

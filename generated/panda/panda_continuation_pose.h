@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs 8404d9189039dcada9f8715201b751b6da6fe6c064ba657ef68df4aac0ae4b7e.
+ * Made from templates/kernel.h.j2; inputs 5d8d363fa5d7a8adb542569b0d9a05fe9faf1063850b35958f563f014906dbdc.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d5ee084b9ef2955ecd954590ee219c17fe039abef59dfd8db62eb66ea74189a9.
+Made from templates/kernel.py.j2; inputs 878499da14ab7bd88d80a77377b90593f4203c0062cadf2323f88f7643a17ca5.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

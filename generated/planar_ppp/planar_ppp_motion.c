@@ -1,6 +1,6 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 98ab2cf50fd2dec0829f396c58fb20d0544666b108fccce2e2d23ebf408e92a1.
- * 153 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs b70e906b10c2dad3e3a8c1e5ead6c7722beb8ed47908722a3a616f6e5c898dff.
+ * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "98ab2cf50fd2dec0829f396c58fb20d0544666b108fccce2e2d23ebf408e92a1";
+const char planar_ppp_motion_digest[] = "b70e906b10c2dad3e3a8c1e5ead6c7722beb8ed47908722a3a616f6e5c898dff";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 98ab2cf50fd2dec0829f396c58fb20d0544666b108fccce2e2d23ebf408e92a1.
- * 153 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs b70e906b10c2dad3e3a8c1e5ead6c7722beb8ed47908722a3a616f6e5c898dff.
+ * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_ppp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   153 operations */
+ *   120 operations */
 void planar_ppp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_ppp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

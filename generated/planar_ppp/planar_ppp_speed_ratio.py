@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e68236da60892c4b693d4e1566c4e6a373fd4cde96054b830dd9d61e5241afd8.
+Made from templates/kernel.py.j2; inputs 4f525df9c2897f9e0bf8f551a6e6d90ab191f23070896c0fa0a476cf915086dd.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs c866da7178511d0af66688faf74a2310ddba9ba1f2600ad78a7044e7e3b82f2a.
+ * Made from templates/kernel.h.j2; inputs 004c56bc064ffcb8a20b9fc4b9f67f6b8c025c59fab7112317e31730a024aeea.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs edea5d16f07b7ecf1c7ea872732e3752c0b431ff1b4f972ed1d5a957dadefb2c.
- * 194 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5e9ae1d23ca2ca2d3e8daea36084f355039f133b010f698762ff4f73d9955950.
+ * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "edea5d16f07b7ecf1c7ea872732e3752c0b431ff1b4f972ed1d5a957dadefb2c";
+const char planar_ppr_motion_digest[] = "5e9ae1d23ca2ca2d3e8daea36084f355039f133b010f698762ff4f73d9955950";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs edea5d16f07b7ecf1c7ea872732e3752c0b431ff1b4f972ed1d5a957dadefb2c.
- * 194 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 5e9ae1d23ca2ca2d3e8daea36084f355039f133b010f698762ff4f73d9955950.
+ * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_ppr_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   194 operations */
+ *   161 operations */
 void planar_ppr_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_ppr_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppr_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

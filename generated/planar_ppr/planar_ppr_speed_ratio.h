@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 4487093aa68145b8cc6bd301d26920633d97e1deb8c62d56eab17230329f6b9f.
+ * Made from templates/kernel.h.j2; inputs 53536e5282ac518d09217592e9e20d1a7c68ae71b41c4362ad4c911164640de7.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs 58a0f29f8344da27a0bdc6f1287e2db1326218dbc1ae560b58a105053b58b0c5.
- * 265 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d.
+ * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "58a0f29f8344da27a0bdc6f1287e2db1326218dbc1ae560b58a105053b58b0c5";
+const char planar_prp_motion_digest[] = "d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 58a0f29f8344da27a0bdc6f1287e2db1326218dbc1ae560b58a105053b58b0c5.
- * 265 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d.
+ * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_prp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   265 operations */
+ *   232 operations */
 void planar_prp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_prp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_prp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

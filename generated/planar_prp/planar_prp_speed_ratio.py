@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 66431bb717cd51150a504bd8aba6e21b0b3c5b37922d3bd2553be51b93cf61ea.
+Made from templates/kernel.py.j2; inputs 38b5d3693ff03d23a2db521fe3c3233e189f8ac76eddc8b07f9767e08e1a0ad7.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

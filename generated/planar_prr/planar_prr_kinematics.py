@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7cc755a6b9f062dccd6cf167cf2ea4ac54b5e255da706eb9c1cfe93aedb78430.
+Made from templates/kernel.py.j2; inputs 74b4eb40d9ab8635922edc596987fda5c3facea0a884f28c68cef8a68aa24bb6.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

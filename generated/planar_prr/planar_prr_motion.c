@@ -1,6 +1,6 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 77c4a40c1b0fcf0e392febbdcc2542837c91a17b7ec8e43ffed9448dfde105a4.
- * 236 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 68d89cd15e1acfffbb793eca821426affd15b9696b79827a466e349e829ee04d.
+ * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "77c4a40c1b0fcf0e392febbdcc2542837c91a17b7ec8e43ffed9448dfde105a4";
+const char planar_prr_motion_digest[] = "68d89cd15e1acfffbb793eca821426affd15b9696b79827a466e349e829ee04d";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d523ebefe60badf6821e24d679f6fba0f6b9761f70a3f8b13ef90fbd4c24b372.
+Made from templates/kernel.py.j2; inputs 3994e5adb53b2b7fc95317c4055bab06cb96e9ae78f70b948c9a1561863173a5.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 7bdc386365a6c76cdaae9519e83eb2b78b083208a21f4fa0defccb9c0e88c4be.
- * 331 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs b962174264c028043c6a1c9c7a13d1eeb2bf9222ecf50098d6f6ebf6ad46ce61.
+ * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "7bdc386365a6c76cdaae9519e83eb2b78b083208a21f4fa0defccb9c0e88c4be";
+const char planar_rpp_motion_digest[] = "b962174264c028043c6a1c9c7a13d1eeb2bf9222ecf50098d6f6ebf6ad46ce61";
 #endif
 
 #define LANES 64

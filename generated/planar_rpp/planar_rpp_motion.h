@@ -1,6 +1,6 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 7bdc386365a6c76cdaae9519e83eb2b78b083208a21f4fa0defccb9c0e88c4be.
- * 331 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs b962174264c028043c6a1c9c7a13d1eeb2bf9222ecf50098d6f6ebf6ad46ce61.
+ * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_rpp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   331 operations */
+ *   298 operations */
 void planar_rpp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_rpp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

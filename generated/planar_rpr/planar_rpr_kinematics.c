@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 410c18cc6fde04b6d6d6e9c3a2acd4804bb72e544998746090c41028386b1097.
+ * Made from templates/kernel.c.j2; inputs b02980e6aa0482bdb6b3b01000d89e64b28b912b6866e7344385747ede227a51.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "410c18cc6fde04b6d6d6e9c3a2acd4804bb72e544998746090c41028386b1097";
+const char planar_rpr_kinematics_digest[] = "b02980e6aa0482bdb6b3b01000d89e64b28b912b6866e7344385747ede227a51";
 #endif
 
 #define LANES 64

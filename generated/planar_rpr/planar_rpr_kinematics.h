@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 410c18cc6fde04b6d6d6e9c3a2acd4804bb72e544998746090c41028386b1097.
+ * Made from templates/kernel.h.j2; inputs b02980e6aa0482bdb6b3b01000d89e64b28b912b6866e7344385747ede227a51.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 98666c1d8137356625ffde4482fb17e7e047d83085139a85e39762aeecf5dec4.
- * 307 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs f9b70ed5d880dc4492b375e5dcf314ce40a94def537e0176fecd2da1b1d908f0.
+ * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "98666c1d8137356625ffde4482fb17e7e047d83085139a85e39762aeecf5dec4";
+const char planar_rpr_motion_digest[] = "f9b70ed5d880dc4492b375e5dcf314ce40a94def537e0176fecd2da1b1d908f0";
 #endif
 
 #define LANES 64

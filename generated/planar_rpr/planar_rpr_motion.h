@@ -1,6 +1,6 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 98666c1d8137356625ffde4482fb17e7e047d83085139a85e39762aeecf5dec4.
- * 307 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs f9b70ed5d880dc4492b375e5dcf314ce40a94def537e0176fecd2da1b1d908f0.
+ * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_rpr_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   307 operations */
+ *   274 operations */
 void planar_rpr_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_rpr_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpr_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 7d67e5fcabf3701df9651bb6c5f8987a3bee9f7f3d325e27c3a4774f16e58748.
+ * Made from templates/kernel.h.j2; inputs 080691bef8cea44c143beaa14295f1c4957f193d1ecfd660fd05f1cca56afa18.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 30cfd2bc19f9b3bd3f03ec496592ea6cda5a6268bebfec8773fdfa6605f45dc3.
- * 305 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590.
+ * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "30cfd2bc19f9b3bd3f03ec496592ea6cda5a6268bebfec8773fdfa6605f45dc3";
+const char planar_rrp_motion_digest[] = "2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590";
 #endif
 
 #define LANES 64

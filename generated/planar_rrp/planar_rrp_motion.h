@@ -1,6 +1,6 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 30cfd2bc19f9b3bd3f03ec496592ea6cda5a6268bebfec8773fdfa6605f45dc3.
- * 305 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590.
+ * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_rrp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   305 operations */
+ *   272 operations */
 void planar_rrp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_rrp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

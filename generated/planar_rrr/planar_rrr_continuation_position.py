@@ -1,6 +1,6 @@
 """continuation position of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a60aea0ba3a0e6014b887154785380414b1d5e3a21a6d9b984591327b3e75c54.
+Made from templates/kernel.py.j2; inputs 02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89.
 123 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.c: continuation x alpha of planar_rrr.
- * Made from templates/kernel.c.j2; inputs a60aea0ba3a0e6014b887154785380414b1d5e3a21a6d9b984591327b3e75c54.
+ * Made from templates/kernel.c.j2; inputs 02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_x_alpha_digest[] = "a60aea0ba3a0e6014b887154785380414b1d5e3a21a6d9b984591327b3e75c54";
+const char planar_rrr_continuation_x_alpha_digest[] = "02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs a60aea0ba3a0e6014b887154785380414b1d5e3a21a6d9b984591327b3e75c54.
+ * Made from templates/kernel.h.j2; inputs 02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

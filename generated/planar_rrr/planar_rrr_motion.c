@@ -1,6 +1,6 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 184fedc3d98b708686ba1ec32b2b649ab412c0ca14f0ebd22b7c5ce51a20c60d.
- * 282 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 67cfa5c228421057723c019421cfa62ed36b9962784a9759f24169050a8d7b90.
+ * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "184fedc3d98b708686ba1ec32b2b649ab412c0ca14f0ebd22b7c5ce51a20c60d";
+const char planar_rrr_motion_digest[] = "67cfa5c228421057723c019421cfa62ed36b9962784a9759f24169050a8d7b90";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 939bca8c6779baae283eb665934ba6beb77ccedd01f20d64056979439f2c0d13.
+ * Made from templates/kernel.h.j2; inputs 3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

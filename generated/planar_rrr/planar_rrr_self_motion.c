@@ -1,6 +1,6 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs e9f778eb04314b7356e2234d48be7d221558100f1888c04f4123f061014c012c.
- * 1575 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 57e94a81e0a0240272fa5d6aaec3c6534392751f21d231d4185c26c9a40af3fc.
+ * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_self_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "e9f778eb04314b7356e2234d48be7d221558100f1888c04f4123f061014c012c";
+const char planar_rrr_self_motion_digest[] = "57e94a81e0a0240272fa5d6aaec3c6534392751f21d231d4185c26c9a40af3fc";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e3c7d767b1f9a72daa73054b59e968b695823e03ead5679e75da58973642b2db.
+Made from templates/kernel.py.j2; inputs c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 78be43b1a0d511aa9824a6283190700902ab4b3144ab5bd4f7980d7fe4dc8de5.
- * 6368 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5eb6ffa6f8ff8acc70fc0968c12ce5a588099fb078af81c9f853a41c415a1c33.
+ * 5456 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "regional_3r_cuspidality.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "78be43b1a0d511aa9824a6283190700902ab4b3144ab5bd4f7980d7fe4dc8de5";
+const char regional_3r_cuspidality_digest[] = "5eb6ffa6f8ff8acc70fc0968c12ce5a588099fb078af81c9f853a41c415a1c33";
 #endif
 
 #define LANES 32

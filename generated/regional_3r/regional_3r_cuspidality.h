@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs 78be43b1a0d511aa9824a6283190700902ab4b3144ab5bd4f7980d7fe4dc8de5.
- * 6368 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 5eb6ffa6f8ff8acc70fc0968c12ce5a588099fb078af81c9f853a41c415a1c33.
+ * 5456 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -166,7 +166,7 @@ void regional_3r_unturned_batchf(ptrdiff_t count, char *const *args, const ptrdi
  *   in   target[2] = (rho_squared, z)
  *   out  number (one number)
  *   out  margin (one number)
- *   286 operations */
+ *   260 operations */
 void regional_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin);
 void regional_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin);
@@ -181,7 +181,7 @@ void regional_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, c
  *   out  slope[4]
  *   out  number (one number)
  *   out  margin (one number)
- *   2665 operations */
+ *   2243 operations */
 void regional_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin);
 void regional_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin);
@@ -193,7 +193,7 @@ void regional_3r_postures_batchf(ptrdiff_t count, char *const *args, const ptrdi
  *   out  angles[4][3]
  *   out  closure[4]
  *   out  width[4]
- *   1116 operations */
+ *   884 operations */
 void regional_3r_postures_intersecting(const double *parameters, const double *point, double *angles, double *closure, double *width);
 void regional_3r_postures_intersecting_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_postures_intersectingf(const float *parameters, const float *point, float *angles, float *closure, float *width);
@@ -205,7 +205,7 @@ void regional_3r_postures_intersecting_batchf(ptrdiff_t count, char *const *args
  *   out  angles[4][3]
  *   out  closure[4]
  *   out  width[4]
- *   1110 operations */
+ *   878 operations */
 void regional_3r_postures_parallel(const double *parameters, const double *point, double *angles, double *closure, double *width);
 void regional_3r_postures_parallel_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_postures_parallelf(const float *parameters, const float *point, float *angles, float *closure, float *width);

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.h: dynamics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 5e4c84cd14a0e2fcde12fcf33a3a5bc582319de1e5b48de5d6e286f9de90431c.
+ * Made from templates/kernel.h.j2; inputs f94f3e4ada1df930da12fda400319aa2fb18f9b74d0e652396fa260ac045ad72.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs edfaf185cb5bd7f3d401c8ff55fcafd2db9b7e3027658e3ea101b2f336dda83b.
+ * Made from templates/kernel.c.j2; inputs cd9ed1ca2b6956639e8d3b47b2a2cbb9d51aee84ab46edc6beafbe2963b30cee.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "edfaf185cb5bd7f3d401c8ff55fcafd2db9b7e3027658e3ea101b2f336dda83b";
+const char sanchez_8r_kinematics_digest[] = "cd9ed1ca2b6956639e8d3b47b2a2cbb9d51aee84ab46edc6beafbe2963b30cee";
 #endif
 
 #define LANES 32

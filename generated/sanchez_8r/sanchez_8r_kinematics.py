@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs edfaf185cb5bd7f3d401c8ff55fcafd2db9b7e3027658e3ea101b2f336dda83b.
+Made from templates/kernel.py.j2; inputs cd9ed1ca2b6956639e8d3b47b2a2cbb9d51aee84ab46edc6beafbe2963b30cee.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 365bd5d22754633f5c59a31d31bd583d23f974fa69d45e415362e95c0af07cfc.
- * 3779 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22.
+ * 3073 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "365bd5d22754633f5c59a31d31bd583d23f974fa69d45e415362e95c0af07cfc";
+const char sanchez_8r_pose_digest[] = "6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs 482a32018e56a7754282fecf2594b6ce9bebeb6d43c5396295dbeb3f151e5d2b.
+ * Made from templates/kernel.h.j2; inputs b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 482a32018e56a7754282fecf2594b6ce9bebeb6d43c5396295dbeb3f151e5d2b.
- * 1082 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649.
+ * 893 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "ur5e_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "482a32018e56a7754282fecf2594b6ce9bebeb6d43c5396295dbeb3f151e5d2b";
+const char ur5e_position_digest[] = "b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649";
 #endif
 
 #define LANES 64

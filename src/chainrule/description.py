@@ -157,6 +157,13 @@ class Joint:
     acceleration: float | None = None
     torque: float | None = None
 
+    @property
+    def middle_and_narrowness(self) -> tuple[float, float]:
+        """The middle of its range, and 1 / half its width; 0 and 0 without limits that are apart."""
+        low, high = self.position or (0.0, 0.0)
+        bounded = math.isfinite(low) and math.isfinite(high) and low < high
+        return (low / 2 + high / 2, 1 / (high / 2 - low / 2)) if bounded else (0.0, 0.0)
+
 
 @dataclass(frozen=True, slots=True)
 class DHRow:
