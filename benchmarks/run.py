@@ -11,7 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 from itertools import chain
 from typing import Any
 
-from benchmarks import cuspidality, planar, self_motion
+from benchmarks import cuspidality, planar, redundancy, self_motion
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
 from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
@@ -112,7 +112,7 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
             if effort.parts:
                 progress(f"{case.title}: taking ours apart")
                 parts += _part_rows(case, q, effort)
-        asking = (part.questions(effort.batch) for part in (planar, cuspidality, self_motion))
+        asking = (part.questions(effort.batch) for part in (planar, cuspidality, self_motion, redundancy))
         for section, ways, note in chain.from_iterable(asking):
             progress(f"{section}: comparing and timing")
             worst = planar.agreement(ways)

@@ -453,8 +453,8 @@ def test_long_chain():
     held, jacobian = code["pose"](q), code["jacobian_pose"](q)
     settings = np.zeros(len(redundancy.SETTINGS))
     settings[redundancy.SETTINGS.index("gain_H")] = 1.0
-    ones, none = np.ones(10), np.zeros(10)
-    _, rates, h, _, null = space["step_pose"](q, held, velocity, ones, none, none, none, settings)
+    joints = np.array([np.ones(10), np.ones(10), np.zeros(10), np.zeros(10)])
+    _, rates, h, _, null = space["step_pose"](q, held, velocity, np.zeros(10), joints, settings)
     truth = under.gradients(arm.description, "pose", q)
     gradient = np.array([float(x) for x in truth[1]])
     assert abs(float(h) / float(truth[0][0]) - 1) < 1e-14

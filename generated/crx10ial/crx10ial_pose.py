@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 073a61c8cd170e88d45a94236936c3621f4f794702cadbad366db02bc62e78c3.
+Made from templates/kernel.py.j2; inputs 207a65ac553a3742f92dd9ff32ba6f686956f7897794cdbf9a9711ffa1205dc7.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

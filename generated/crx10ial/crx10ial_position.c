@@ -1,6 +1,6 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 073a61c8cd170e88d45a94236936c3621f4f794702cadbad366db02bc62e78c3.
- * 1041 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 207a65ac553a3742f92dd9ff32ba6f686956f7897794cdbf9a9711ffa1205dc7.
+ * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "073a61c8cd170e88d45a94236936c3621f4f794702cadbad366db02bc62e78c3";
+const char crx10ial_position_digest[] = "207a65ac553a3742f92dd9ff32ba6f686956f7897794cdbf9a9711ffa1205dc7";
 #endif
 
 #define LANES 64

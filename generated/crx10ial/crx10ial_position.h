@@ -1,6 +1,6 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 073a61c8cd170e88d45a94236936c3621f4f794702cadbad366db02bc62e78c3.
- * 1041 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 207a65ac553a3742f92dd9ff32ba6f686956f7897794cdbf9a9711ffa1205dc7.
+ * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void crx10ial_minors_position_batchf(ptrdiff_t count, char *const *args, const p
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   366 operations */
+ *   309 operations */
 void crx10ial_null_projector_position(const double *q, double *null_projector);
 void crx10ial_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void crx10ial_null_projector_positionf(const float *q, float *null_projector);

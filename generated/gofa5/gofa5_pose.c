@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057.
+ * Made from templates/kernel.c.j2; inputs 68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057";
+const char gofa5_pose_digest[] = "68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4";
 #endif
 
 #define LANES 64

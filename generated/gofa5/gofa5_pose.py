@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057.
+Made from templates/kernel.py.j2; inputs 68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057.
- * 1102 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4.
+ * 1045 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "7afdfc39407ddcf73d2b8e2af69f7d81c2cee2c6929cc4e19e4eb07173889057";
+const char gofa5_position_digest[] = "68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs 2b5552ddfc3ac3e3a8ba6425d171c802c6821f8e189cbfef7064e972d5bcd89a.
+ * Made from templates/kernel.h.j2; inputs cf00759b86e3425c81ee40b10fb8867723f53ded8367d3e7b1663ce1ca048579.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

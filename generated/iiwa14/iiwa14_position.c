@@ -1,6 +1,6 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs f79bdcdd2e2df3fdec6b12a39f7e03276b10ab35206cf8b0b972f8e651d89857.
- * 1422 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 67a356d7aeb1805f6f971f5f51b7e53a2be8e0c027dc86e92c23d33107905be2.
+ * 1362 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "f79bdcdd2e2df3fdec6b12a39f7e03276b10ab35206cf8b0b972f8e651d89857";
+const char iiwa14_position_digest[] = "67a356d7aeb1805f6f971f5f51b7e53a2be8e0c027dc86e92c23d33107905be2";
 #endif
 
 #define LANES 64

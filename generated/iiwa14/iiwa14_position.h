@@ -1,6 +1,6 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs f79bdcdd2e2df3fdec6b12a39f7e03276b10ab35206cf8b0b972f8e651d89857.
- * 1422 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 67a356d7aeb1805f6f971f5f51b7e53a2be8e0c027dc86e92c23d33107905be2.
+ * 1362 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void iiwa14_minors_position_batchf(ptrdiff_t count, char *const *args, const ptr
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   413 operations */
+ *   353 operations */
 void iiwa14_null_projector_position(const double *q, double *null_projector);
 void iiwa14_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void iiwa14_null_projector_positionf(const float *q, float *null_projector);

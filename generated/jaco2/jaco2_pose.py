@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0f34422a91c90de3e6cce3c18dfb99aa845e318e45c05541d5da584e20648e20.
+Made from templates/kernel.py.j2; inputs 98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

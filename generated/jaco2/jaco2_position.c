@@ -1,6 +1,6 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 0f34422a91c90de3e6cce3c18dfb99aa845e318e45c05541d5da584e20648e20.
- * 1191 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e.
+ * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "0f34422a91c90de3e6cce3c18dfb99aa845e318e45c05541d5da584e20648e20";
+const char jaco2_position_digest[] = "98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e";
 #endif
 
 #define LANES 64

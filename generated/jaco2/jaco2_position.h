@@ -1,6 +1,6 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs 0f34422a91c90de3e6cce3c18dfb99aa845e318e45c05541d5da584e20648e20.
- * 1191 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e.
+ * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void jaco2_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   393 operations */
+ *   336 operations */
 void jaco2_null_projector_position(const double *q, double *null_projector);
 void jaco2_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void jaco2_null_projector_positionf(const float *q, float *null_projector);

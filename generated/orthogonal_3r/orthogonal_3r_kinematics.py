@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b010c1657566f508010d8a18dd8e8942841390d12a5a83d50d3b196db2092b0c.
+Made from templates/kernel.py.j2; inputs 9c6ab193b32eef9f8b59850f73415919e814cd8cbd164eadb9114b03cb6aa05b.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

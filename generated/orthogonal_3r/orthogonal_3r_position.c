@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs b010c1657566f508010d8a18dd8e8942841390d12a5a83d50d3b196db2092b0c.
+ * Made from templates/kernel.c.j2; inputs 9c6ab193b32eef9f8b59850f73415919e814cd8cbd164eadb9114b03cb6aa05b.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "b010c1657566f508010d8a18dd8e8942841390d12a5a83d50d3b196db2092b0c";
+const char orthogonal_3r_position_digest[] = "9c6ab193b32eef9f8b59850f73415919e814cd8cbd164eadb9114b03cb6aa05b";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs 2a05a312d814ada3b652d2d3286a8150ed6627a3118f2c5fd472e453c8a027fd.
+ * Made from templates/kernel.c.j2; inputs fd8aeff24b0161c9a70e9828d1a9eb6d7006ee0dfa17bf461cd0586c22b1b233.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "2a05a312d814ada3b652d2d3286a8150ed6627a3118f2c5fd472e453c8a027fd";
+const char panda_continuation_pose_digest[] = "fd8aeff24b0161c9a70e9828d1a9eb6d7006ee0dfa17bf461cd0586c22b1b233";
 #endif
 
 #define LANES 32

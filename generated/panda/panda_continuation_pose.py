@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2a05a312d814ada3b652d2d3286a8150ed6627a3118f2c5fd472e453c8a027fd.
+Made from templates/kernel.py.j2; inputs fd8aeff24b0161c9a70e9828d1a9eb6d7006ee0dfa17bf461cd0586c22b1b233.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs a07185f509f377c1896108ee29ea65d087c39bb4490780c3bea0c3756a95a9de.
- * 2020 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 0da4099e26103cf7ee6484b465b8a01e241eee70f5c72b4a80513254d315d44c.
+ * 1906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -64,7 +64,7 @@ void panda_null_vector_pose_batchf(ptrdiff_t count, char *const *args, const ptr
 /* projector I - J^+ J onto the null space of the pose Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   969 operations */
+ *   855 operations */
 void panda_null_projector_pose(const double *q, double *null_projector);
 void panda_null_projector_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void panda_null_projector_posef(const float *q, float *null_projector);

@@ -1,6 +1,6 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs a07185f509f377c1896108ee29ea65d087c39bb4490780c3bea0c3756a95a9de.
- * 1582 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 0da4099e26103cf7ee6484b465b8a01e241eee70f5c72b4a80513254d315d44c.
+ * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "a07185f509f377c1896108ee29ea65d087c39bb4490780c3bea0c3756a95a9de";
+const char panda_position_digest[] = "0da4099e26103cf7ee6484b465b8a01e241eee70f5c72b4a80513254d315d44c";
 #endif
 
 #define LANES 64

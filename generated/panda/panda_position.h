@@ -1,6 +1,6 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs a07185f509f377c1896108ee29ea65d087c39bb4490780c3bea0c3756a95a9de.
- * 1582 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 0da4099e26103cf7ee6484b465b8a01e241eee70f5c72b4a80513254d315d44c.
+ * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void panda_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   441 operations */
+ *   381 operations */
 void panda_null_projector_position(const double *q, double *null_projector);
 void panda_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void panda_null_projector_positionf(const float *q, float *null_projector);

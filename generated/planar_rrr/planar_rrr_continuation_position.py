@@ -1,6 +1,6 @@
 """continuation position of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fab222641ed30c8be491adadb22ab7b1e9a628e646b37fc92024b8219ad8209b.
+Made from templates/kernel.py.j2; inputs 3f9d154bb95207639a18849310c91d5b94ae13b5868ed7ef00125fc1cb0c1f50.
 123 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

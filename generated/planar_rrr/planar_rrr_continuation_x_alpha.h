@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs fab222641ed30c8be491adadb22ab7b1e9a628e646b37fc92024b8219ad8209b.
+ * Made from templates/kernel.h.j2; inputs 3f9d154bb95207639a18849310c91d5b94ae13b5868ed7ef00125fc1cb0c1f50.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 8541146cff340eca7c004b1ba302a5d5867f3cd2e0acd614de64b9ced73fa647.
+ * Made from templates/kernel.h.j2; inputs 1dc7232d7c480f39cc5566fc7b6e0af2fe375c9780e05f086b135ccd13576723.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* planar_rrr_position.h: manipulability (position) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 8541146cff340eca7c004b1ba302a5d5867f3cd2e0acd614de64b9ced73fa647.
- * 228 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 1dc7232d7c480f39cc5566fc7b6e0af2fe375c9780e05f086b135ccd13576723.
+ * 204 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -69,7 +69,7 @@ void planar_rrr_null_vector_position_batchf(ptrdiff_t count, char *const *args, 
  *   in   q[3]
  *   in   parameters[3] = (l1, l2, l3)
  *   out  null_projector[3][3]
- *   106 operations */
+ *   82 operations */
 void planar_rrr_null_projector_position(const double *q, const double *parameters, double *null_projector);
 void planar_rrr_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_null_projector_positionf(const float *q, const float *parameters, float *null_projector);

@@ -1,6 +1,6 @@
 /* planar_rrr_x_alpha.h: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 8541146cff340eca7c004b1ba302a5d5867f3cd2e0acd614de64b9ced73fa647.
- * 282 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 1dc7232d7c480f39cc5566fc7b6e0af2fe375c9780e05f086b135ccd13576723.
+ * 256 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -69,7 +69,7 @@ void planar_rrr_null_vector_x_alpha_batchf(ptrdiff_t count, char *const *args, c
  *   in   q[3]
  *   in   parameters[3] = (l1, l2, l3)
  *   out  null_projector[3][3]
- *   116 operations */
+ *   90 operations */
 void planar_rrr_null_projector_x_alpha(const double *q, const double *parameters, double *null_projector);
 void planar_rrr_null_projector_x_alpha_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_null_projector_x_alphaf(const float *q, const float *parameters, float *null_projector);

@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs b72f42c922091f220bcba91406aa968c9840c49b4399ddde6b6b516cc53276d1.
+ * Made from templates/kernel.c.j2; inputs 057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "b72f42c922091f220bcba91406aa968c9840c49b4399ddde6b6b516cc53276d1";
+const char puma560_pose_digest[] = "057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865";
 #endif
 
 #define LANES 64

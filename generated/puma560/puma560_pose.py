@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b72f42c922091f220bcba91406aa968c9840c49b4399ddde6b6b516cc53276d1.
+Made from templates/kernel.py.j2; inputs 057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs b72f42c922091f220bcba91406aa968c9840c49b4399ddde6b6b516cc53276d1.
- * 337 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865.
+ * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void puma560_minors_position_batchf(ptrdiff_t count, char *const *args, const pt
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   190 operations */
+ *   151 operations */
 void puma560_null_projector_position(const double *q, double *null_projector);
 void puma560_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void puma560_null_projector_positionf(const float *q, float *null_projector);

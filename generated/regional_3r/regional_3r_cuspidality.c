@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs a3d06a0c19a7d98377a8b122eed84e4dfbb0f3c70185190c228ce3a10f1194f2.
+ * Made from templates/kernel.c.j2; inputs c461d220c86cd5110c4dd64ef450c2c15f2867265e92912f64cbfc47218e7a13.
  * 3500 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "a3d06a0c19a7d98377a8b122eed84e4dfbb0f3c70185190c228ce3a10f1194f2";
+const char regional_3r_cuspidality_digest[] = "c461d220c86cd5110c4dd64ef450c2c15f2867265e92912f64cbfc47218e7a13";
 #endif
 
 #define LANES 32

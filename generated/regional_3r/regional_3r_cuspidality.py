@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a3d06a0c19a7d98377a8b122eed84e4dfbb0f3c70185190c228ce3a10f1194f2.
+Made from templates/kernel.py.j2; inputs c461d220c86cd5110c4dd64ef450c2c15f2867265e92912f64cbfc47218e7a13.
 3500 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 3bc207efe2b7b155a414b00a56be82a13f2525af752ee2f9c91eaceeb2231979.
- * 1962 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 20fb89278e8da0f20f997f5122b834231fa80bbc4382ae41e6ef6812062be4b1.
+ * 1893 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "3bc207efe2b7b155a414b00a56be82a13f2525af752ee2f9c91eaceeb2231979";
+const char sanchez_8r_position_digest[] = "20fb89278e8da0f20f997f5122b834231fa80bbc4382ae41e6ef6812062be4b1";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 /* sanchez_8r_position.h: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 3bc207efe2b7b155a414b00a56be82a13f2525af752ee2f9c91eaceeb2231979.
- * 1962 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 20fb89278e8da0f20f997f5122b834231fa80bbc4382ae41e6ef6812062be4b1.
+ * 1893 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void sanchez_8r_minors_position_batchf(ptrdiff_t count, char *const *args, const
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[8]
  *   out  null_projector[8][8]
- *   502 operations */
+ *   433 operations */
 void sanchez_8r_null_projector_position(const double *q, double *null_projector);
 void sanchez_8r_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void sanchez_8r_null_projector_positionf(const float *q, float *null_projector);

@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0bf0b4fdbdd4768e3734f5913460c519f334060678ab53a734a4dec054b6d9fd.
+Made from templates/kernel.py.j2; inputs b762f0fbc97f652c4335de7cf2a68fa624e09b148c3ec7fc1f2f83318d0e7079.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
