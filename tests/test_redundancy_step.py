@@ -499,6 +499,22 @@ def test_batches():
     assert kept is again and under.all_equal(again.rates, whole.rates)
 
 
+@pytest.mark.parametrize("real", [np.float64, np.float32])
+def test_bound(real):
+    """In place, the same bits as a call; what was written into the arrays is what counts."""
+    arm = arm_of("sanchez_8r")
+    stepper = Stepper(arm, law_of(arm, 17))
+    loop = stepper.bind(0.01, real)
+    for q, held, velocity, push in zip(*situation("sanchez_8r", "pose", 5, 17), strict=True):
+        given = [a.astype(real) for a in (q, held, velocity, push)]
+        loop.q[:], loop.held[:], loop.velocity[:], loop.push[:] = given
+        loop()
+        expected = stepper(*given[:3], 0.01, given[3])
+        for name in expected.__dataclass_fields__:
+            assert getattr(loop, name).dtype == real
+            assert under.all_equal(getattr(loop, name), getattr(expected, name))
+
+
 def test_nan_stays_in_its_row():
     arm = arm_of("sanchez_8r")
     stepper = Stepper(arm, law_of(arm, 14))
@@ -524,7 +540,7 @@ def test_many_laws_at_once():
 # ---- what is refused -------------------------------------------------------------------------------------------
 
 
-REST = ([0.0] * 7, np.eye(4), None, 0.01)
+FLAT, TWO = ([0.0] * 3, [0.0] * 3, None, 0.01), (np.ones((2, 3)), [1.0, 1.0])
 
 
 @pytest.mark.parametrize(
@@ -543,11 +559,14 @@ REST = ([0.0] * 7, np.eye(4), None, 0.01)
         (lambda: Stepper(arm_of("panda"), "H"), "a Law"),
         (lambda: Stepper(arm_of("planar_3r"), task="speed"), "there is no task"),
         (lambda: Stepper(cr.planar("RR", [1.0, 1.0]), task="pose"), "3 rows for 2 joints"),
+        (lambda: Stepper(arm_of("panda")).bind("fast"), "dt"),
+        (lambda: Stepper(arm_of("panda")).bind(0.01, int), "float64 or float32"),
+        (lambda: Stepper(arm_of("panda"), [Law()]).bind(0.01), "one law"),
         (lambda: Stepper(arm_of("panda"))([0.0] * 6, np.eye(4), None, 0.01), r"q has shape \(6,\)"),
         (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(3), None, 0.01), "held has shape"),
         (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, "fast"), "dt"),
-        (lambda: Stepper(arm_of("panda"))(*REST, secondary=(np.ones((2, 7)), [1.0, 1.0])), "k from 1 to 1"),
-        (lambda: Stepper(arm_of("ur5e"))(*REST, secondary=(np.ones((1, 6)), [1.0])), "no joint to spare"),
+        (lambda: Stepper(arm_of("planar_3r"))(*FLAT[:1], [0.0, 0.0], *FLAT[2:], secondary=TWO), "k from 1 to 1"),
+        (lambda: Stepper(arm_of("planar_3r"), task="pose")(*FLAT, secondary=TWO), "no joint to spare"),
     ],
 )  # fmt: skip
 def test_refusals(make, said):

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 5a3ded5d687891ea3c3a15f214371ee00ff6dc6253ec9b4783fd6db2127cf997.
+ * Made from templates/kernel.c.j2; inputs 6db9bb6d5194de483914acf6c45249b4ba0d20d7177cf7f171cfb9ead44c10af.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "5a3ded5d687891ea3c3a15f214371ee00ff6dc6253ec9b4783fd6db2127cf997";
+const char crx10ial_kinematics_digest[] = "6db9bb6d5194de483914acf6c45249b4ba0d20d7177cf7f171cfb9ead44c10af";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5a3ded5d687891ea3c3a15f214371ee00ff6dc6253ec9b4783fd6db2127cf997.
+Made from templates/kernel.py.j2; inputs 6db9bb6d5194de483914acf6c45249b4ba0d20d7177cf7f171cfb9ead44c10af.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 207a65ac553a3742f92dd9ff32ba6f686956f7897794cdbf9a9711ffa1205dc7.
+ * Made from templates/kernel.c.j2; inputs d70090c3049880262bdb5264ff0f24ce89ad659865d2b5111dc30e79778fcfa6.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "207a65ac553a3742f92dd9ff32ba6f686956f7897794cdbf9a9711ffa1205dc7";
+const char crx10ial_pose_digest[] = "d70090c3049880262bdb5264ff0f24ce89ad659865d2b5111dc30e79778fcfa6";
 #endif
 
 #define LANES 64

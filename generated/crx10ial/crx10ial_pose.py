@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 207a65ac553a3742f92dd9ff32ba6f686956f7897794cdbf9a9711ffa1205dc7.
+Made from templates/kernel.py.j2; inputs d70090c3049880262bdb5264ff0f24ce89ad659865d2b5111dc30e79778fcfa6.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

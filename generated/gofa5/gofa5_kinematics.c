@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs f5f3d9cd6f9930a510c812328533a2085af4791d69d700ab9bbca60f3d2cb9a0.
+ * Made from templates/kernel.c.j2; inputs f7c23df18022b8f207021d1342d1a68a7d5391b21f363fc1bf6d2197919ff825.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "f5f3d9cd6f9930a510c812328533a2085af4791d69d700ab9bbca60f3d2cb9a0";
+const char gofa5_kinematics_digest[] = "f7c23df18022b8f207021d1342d1a68a7d5391b21f363fc1bf6d2197919ff825";
 #endif
 
 #define LANES 64

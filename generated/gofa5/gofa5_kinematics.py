@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f5f3d9cd6f9930a510c812328533a2085af4791d69d700ab9bbca60f3d2cb9a0.
+Made from templates/kernel.py.j2; inputs f7c23df18022b8f207021d1342d1a68a7d5391b21f363fc1bf6d2197919ff825.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

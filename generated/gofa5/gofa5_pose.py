@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4.
+Made from templates/kernel.py.j2; inputs 95aed67443a863d7aa2a70bc62d0d864300b092c1b52754771f103939b0e8b47.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

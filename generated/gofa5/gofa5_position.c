@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4.
+ * Made from templates/kernel.c.j2; inputs 95aed67443a863d7aa2a70bc62d0d864300b092c1b52754771f103939b0e8b47.
  * 1045 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4";
+const char gofa5_position_digest[] = "95aed67443a863d7aa2a70bc62d0d864300b092c1b52754771f103939b0e8b47";
 #endif
 
 #define LANES 64

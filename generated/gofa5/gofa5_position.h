@@ -1,5 +1,5 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs 68bf40ab89fdc367597bfb7f39afc1adcc0c074e9e63b91e53b253a08b49e5e4.
+ * Made from templates/kernel.h.j2; inputs 95aed67443a863d7aa2a70bc62d0d864300b092c1b52754771f103939b0e8b47.
  * 1045 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs cf00759b86e3425c81ee40b10fb8867723f53ded8367d3e7b1663ce1ca048579.
+ * Made from templates/kernel.c.j2; inputs ceb18f716eaed2b281703ce2ca368f800a4294dcd721ba6f39415fb1af535c09.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "cf00759b86e3425c81ee40b10fb8867723f53ded8367d3e7b1663ce1ca048579";
+const char iiwa14_continuation_pose_digest[] = "ceb18f716eaed2b281703ce2ca368f800a4294dcd721ba6f39415fb1af535c09";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs cf00759b86e3425c81ee40b10fb8867723f53ded8367d3e7b1663ce1ca048579.
+ * Made from templates/kernel.h.j2; inputs ceb18f716eaed2b281703ce2ca368f800a4294dcd721ba6f39415fb1af535c09.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cf00759b86e3425c81ee40b10fb8867723f53ded8367d3e7b1663ce1ca048579.
+Made from templates/kernel.py.j2; inputs ceb18f716eaed2b281703ce2ca368f800a4294dcd721ba6f39415fb1af535c09.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs c223f3fb90a1df3c5cc7bb0bd51bb7e77fad73542718cab0e64924be73a32f9c.
+ * Made from templates/kernel.c.j2; inputs ad19b21799dc0d28c5dce4ab6b9102614d181f892a181e86a8102f3cd8511d62.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "c223f3fb90a1df3c5cc7bb0bd51bb7e77fad73542718cab0e64924be73a32f9c";
+const char iiwa14_kinematics_digest[] = "ad19b21799dc0d28c5dce4ab6b9102614d181f892a181e86a8102f3cd8511d62";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c223f3fb90a1df3c5cc7bb0bd51bb7e77fad73542718cab0e64924be73a32f9c.
+Made from templates/kernel.py.j2; inputs ad19b21799dc0d28c5dce4ab6b9102614d181f892a181e86a8102f3cd8511d62.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

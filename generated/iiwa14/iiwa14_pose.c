@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 67a356d7aeb1805f6f971f5f51b7e53a2be8e0c027dc86e92c23d33107905be2.
+ * Made from templates/kernel.c.j2; inputs 09d09efb7e7d76c3b4d1597e282393bc3263d345792582848dc57a67d6076950.
  * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "67a356d7aeb1805f6f971f5f51b7e53a2be8e0c027dc86e92c23d33107905be2";
+const char iiwa14_pose_digest[] = "09d09efb7e7d76c3b4d1597e282393bc3263d345792582848dc57a67d6076950";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 67a356d7aeb1805f6f971f5f51b7e53a2be8e0c027dc86e92c23d33107905be2.
+ * Made from templates/kernel.h.j2; inputs 09d09efb7e7d76c3b4d1597e282393bc3263d345792582848dc57a67d6076950.
  * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 4bd3c4010856fb665d276637291688ddcf5c55f1da7b19287488cf37f1b034b3.
+ * Made from templates/kernel.c.j2; inputs e8acb7b270686ec240442ac10fadc5512cf7b190422f0015f3685e11e99894e8.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "4bd3c4010856fb665d276637291688ddcf5c55f1da7b19287488cf37f1b034b3";
+const char jaco2_kinematics_digest[] = "e8acb7b270686ec240442ac10fadc5512cf7b190422f0015f3685e11e99894e8";
 #endif
 
 #define LANES 64

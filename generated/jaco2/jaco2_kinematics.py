@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4bd3c4010856fb665d276637291688ddcf5c55f1da7b19287488cf37f1b034b3.
+Made from templates/kernel.py.j2; inputs e8acb7b270686ec240442ac10fadc5512cf7b190422f0015f3685e11e99894e8.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

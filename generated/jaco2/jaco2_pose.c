@@ -1,5 +1,5 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs 98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e.
+ * Made from templates/kernel.c.j2; inputs e81a217caae1848a0e6a30f6872470a9020a26b2b9eee731925c435c9161d240.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e";
+const char jaco2_pose_digest[] = "e81a217caae1848a0e6a30f6872470a9020a26b2b9eee731925c435c9161d240";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs 98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e.
+ * Made from templates/kernel.h.j2; inputs e81a217caae1848a0e6a30f6872470a9020a26b2b9eee731925c435c9161d240.
  * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

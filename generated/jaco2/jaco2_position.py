@@ -1,6 +1,6 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 98e2a0555eec9e9ee1abb155e4ada542572ee4404cc0de7458c919a02934168e.
+Made from templates/kernel.py.j2; inputs e81a217caae1848a0e6a30f6872470a9020a26b2b9eee731925c435c9161d240.
 1134 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs 66279100e2b57aa8b3acd5b7a2afdda5de2c3955f26b3f16b9f2da383f31add1.
+ * Made from templates/kernel.c.j2; inputs 96e0a9ee5e93d72293020ec63ecff606f354ff438b07dba73771aba0ff0a41fe.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "66279100e2b57aa8b3acd5b7a2afdda5de2c3955f26b3f16b9f2da383f31add1";
+const char motion_rest_to_rest_digest[] = "96e0a9ee5e93d72293020ec63ecff606f354ff438b07dba73771aba0ff0a41fe";
 #endif
 
 #define LANES 64

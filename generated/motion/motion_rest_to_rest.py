@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 66279100e2b57aa8b3acd5b7a2afdda5de2c3955f26b3f16b9f2da383f31add1.
+Made from templates/kernel.py.j2; inputs 96e0a9ee5e93d72293020ec63ecff606f354ff438b07dba73771aba0ff0a41fe.
 56 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

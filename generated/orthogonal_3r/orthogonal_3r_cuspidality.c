@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 896ee7cb6883101e9e52ae362d42c2528271733d912fc1b74e3ca69150dfcac6.
+ * Made from templates/kernel.c.j2; inputs 48b7c20b02c369dfe98e6d965cae391bebe62c311665a27eef783a9acfd1e225.
  * 2072 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "896ee7cb6883101e9e52ae362d42c2528271733d912fc1b74e3ca69150dfcac6";
+const char orthogonal_3r_cuspidality_digest[] = "48b7c20b02c369dfe98e6d965cae391bebe62c311665a27eef783a9acfd1e225";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 896ee7cb6883101e9e52ae362d42c2528271733d912fc1b74e3ca69150dfcac6.
+Made from templates/kernel.py.j2; inputs 48b7c20b02c369dfe98e6d965cae391bebe62c311665a27eef783a9acfd1e225.
 2072 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 9c6ab193b32eef9f8b59850f73415919e814cd8cbd164eadb9114b03cb6aa05b.
+ * Made from templates/kernel.c.j2; inputs 80d0085bfd6b0696c43313f04453be04a797a6d1f6532a9608c11b49e007c3e4.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "9c6ab193b32eef9f8b59850f73415919e814cd8cbd164eadb9114b03cb6aa05b";
+const char orthogonal_3r_kinematics_digest[] = "80d0085bfd6b0696c43313f04453be04a797a6d1f6532a9608c11b49e007c3e4";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 9c6ab193b32eef9f8b59850f73415919e814cd8cbd164eadb9114b03cb6aa05b.
+ * Made from templates/kernel.h.j2; inputs 80d0085bfd6b0696c43313f04453be04a797a6d1f6532a9608c11b49e007c3e4.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9c6ab193b32eef9f8b59850f73415919e814cd8cbd164eadb9114b03cb6aa05b.
+Made from templates/kernel.py.j2; inputs 80d0085bfd6b0696c43313f04453be04a797a6d1f6532a9608c11b49e007c3e4.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

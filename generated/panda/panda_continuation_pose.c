@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs fd8aeff24b0161c9a70e9828d1a9eb6d7006ee0dfa17bf461cd0586c22b1b233.
+ * Made from templates/kernel.c.j2; inputs 73c25fa1ed88f858039e286548619be23a3fd78815840ba39c46863e836e4b86.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "fd8aeff24b0161c9a70e9828d1a9eb6d7006ee0dfa17bf461cd0586c22b1b233";
+const char panda_continuation_pose_digest[] = "73c25fa1ed88f858039e286548619be23a3fd78815840ba39c46863e836e4b86";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs fd8aeff24b0161c9a70e9828d1a9eb6d7006ee0dfa17bf461cd0586c22b1b233.
+ * Made from templates/kernel.h.j2; inputs 73c25fa1ed88f858039e286548619be23a3fd78815840ba39c46863e836e4b86.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fd8aeff24b0161c9a70e9828d1a9eb6d7006ee0dfa17bf461cd0586c22b1b233.
+Made from templates/kernel.py.j2; inputs 73c25fa1ed88f858039e286548619be23a3fd78815840ba39c46863e836e4b86.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

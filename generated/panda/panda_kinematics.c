@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 2dcc0386919f892e0f7371d76a4695506c41be9f2f1e84bcf7d5305092abbca4.
+ * Made from templates/kernel.c.j2; inputs 5224b1bc1bcd5a83485ae6ada747ee997ccb4c06677126bf824c5771f1744d8f.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "2dcc0386919f892e0f7371d76a4695506c41be9f2f1e84bcf7d5305092abbca4";
+const char panda_kinematics_digest[] = "5224b1bc1bcd5a83485ae6ada747ee997ccb4c06677126bf824c5771f1744d8f";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 2dcc0386919f892e0f7371d76a4695506c41be9f2f1e84bcf7d5305092abbca4.
+ * Made from templates/kernel.h.j2; inputs 5224b1bc1bcd5a83485ae6ada747ee997ccb4c06677126bf824c5771f1744d8f.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 0da4099e26103cf7ee6484b465b8a01e241eee70f5c72b4a80513254d315d44c.
+ * Made from templates/kernel.c.j2; inputs cf5324696e1cd6ceed626e51219cfc0ab9f01e785e8a0616ac6ed5964ac535de.
  * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "0da4099e26103cf7ee6484b465b8a01e241eee70f5c72b4a80513254d315d44c";
+const char panda_position_digest[] = "cf5324696e1cd6ceed626e51219cfc0ab9f01e785e8a0616ac6ed5964ac535de";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 0da4099e26103cf7ee6484b465b8a01e241eee70f5c72b4a80513254d315d44c.
+ * Made from templates/kernel.h.j2; inputs cf5324696e1cd6ceed626e51219cfc0ab9f01e785e8a0616ac6ed5964ac535de.
  * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

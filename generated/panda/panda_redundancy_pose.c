@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs fa2fd0662cc9c2339aa92da3901d181a4ca6b71a9604787fe978f2b4ae4bfab6.
+ * Made from templates/kernel.c.j2; inputs 16de6f58d0272ee81fdeeae5004eb50d8c0a89aca1f6ec252bb0bfec115201a0.
  * 2639 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "fa2fd0662cc9c2339aa92da3901d181a4ca6b71a9604787fe978f2b4ae4bfab6";
+const char panda_redundancy_pose_digest[] = "16de6f58d0272ee81fdeeae5004eb50d8c0a89aca1f6ec252bb0bfec115201a0";
 #endif
 
 #define LANES 16

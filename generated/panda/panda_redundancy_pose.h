@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.h: redundancy pose of panda.
- * Made from templates/kernel.h.j2; inputs fa2fd0662cc9c2339aa92da3901d181a4ca6b71a9604787fe978f2b4ae4bfab6.
+ * Made from templates/kernel.h.j2; inputs 16de6f58d0272ee81fdeeae5004eb50d8c0a89aca1f6ec252bb0bfec115201a0.
  * 2639 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs ad16b588cb72fe8b28e1284928e92950c15c17a99ce85ce36a9fd2c2f9fd95d5.
+ * Made from templates/kernel.h.j2; inputs ca7a3fb0bc834ef34a46f4df888b48146f9f8970b9d4fcf0596d23ae0e17c092.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 51e84dd794252f42567acb027b2aeb2ebef31132a8e308c0d8cb8c441eadade7.
+ * Made from templates/kernel.c.j2; inputs 1b8d66d1f4f7583931bb5f39fe7a56c26f4c3533fef07bc29feadf5722d5f629.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "51e84dd794252f42567acb027b2aeb2ebef31132a8e308c0d8cb8c441eadade7";
+const char planar_ppp_motion_digest[] = "1b8d66d1f4f7583931bb5f39fe7a56c26f4c3533fef07bc29feadf5722d5f629";
 #endif
 
 #define LANES 64

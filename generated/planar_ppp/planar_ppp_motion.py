@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 51e84dd794252f42567acb027b2aeb2ebef31132a8e308c0d8cb8c441eadade7.
+Made from templates/kernel.py.j2; inputs 1b8d66d1f4f7583931bb5f39fe7a56c26f4c3533fef07bc29feadf5722d5f629.
 120 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

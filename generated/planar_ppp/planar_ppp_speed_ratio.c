@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 38cbbc15f530d3047acaab070d0e14b5aa2dc37e27d0f2696619ffafde99e76e.
+ * Made from templates/kernel.c.j2; inputs 7289ea2c4574e6b5a96252002a12dd1c76f376f427d41f6df7a01d8f4a911cc0.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "38cbbc15f530d3047acaab070d0e14b5aa2dc37e27d0f2696619ffafde99e76e";
+const char planar_ppp_speed_ratio_digest[] = "7289ea2c4574e6b5a96252002a12dd1c76f376f427d41f6df7a01d8f4a911cc0";
 #endif
 
 #define LANES 64

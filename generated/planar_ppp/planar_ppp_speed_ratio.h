@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 38cbbc15f530d3047acaab070d0e14b5aa2dc37e27d0f2696619ffafde99e76e.
+ * Made from templates/kernel.h.j2; inputs 7289ea2c4574e6b5a96252002a12dd1c76f376f427d41f6df7a01d8f4a911cc0.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

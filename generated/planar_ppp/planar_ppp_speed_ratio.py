@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 38cbbc15f530d3047acaab070d0e14b5aa2dc37e27d0f2696619ffafde99e76e.
+Made from templates/kernel.py.j2; inputs 7289ea2c4574e6b5a96252002a12dd1c76f376f427d41f6df7a01d8f4a911cc0.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 7bf00973eb895af32a0c5123cf26b8ffada16e456fa28c0f9ab477cc9237a5ab.
+ * Made from templates/kernel.c.j2; inputs a444888351de105ca2b61a2e2caf56701867f4f6ea8a21488c158293de072b6f.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "7bf00973eb895af32a0c5123cf26b8ffada16e456fa28c0f9ab477cc9237a5ab";
+const char planar_ppr_kinematics_digest[] = "a444888351de105ca2b61a2e2caf56701867f4f6ea8a21488c158293de072b6f";
 #endif
 
 #define LANES 64

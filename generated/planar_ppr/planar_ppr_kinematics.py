@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7bf00973eb895af32a0c5123cf26b8ffada16e456fa28c0f9ab477cc9237a5ab.
+Made from templates/kernel.py.j2; inputs a444888351de105ca2b61a2e2caf56701867f4f6ea8a21488c158293de072b6f.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

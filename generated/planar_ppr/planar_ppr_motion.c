@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 6a80da92cb734393461176240adba00a8a7720d2e08b67163d61ceddf713a232.
+ * Made from templates/kernel.c.j2; inputs 2d8a5228b1cae4e3cb5f3c575e5e354598117396bde922b3bcdae4e9a44abbce.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "6a80da92cb734393461176240adba00a8a7720d2e08b67163d61ceddf713a232";
+const char planar_ppr_motion_digest[] = "2d8a5228b1cae4e3cb5f3c575e5e354598117396bde922b3bcdae4e9a44abbce";
 #endif
 
 #define LANES 64

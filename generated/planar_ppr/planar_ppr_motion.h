@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 6a80da92cb734393461176240adba00a8a7720d2e08b67163d61ceddf713a232.
+ * Made from templates/kernel.h.j2; inputs 2d8a5228b1cae4e3cb5f3c575e5e354598117396bde922b3bcdae4e9a44abbce.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6a80da92cb734393461176240adba00a8a7720d2e08b67163d61ceddf713a232.
+Made from templates/kernel.py.j2; inputs 2d8a5228b1cae4e3cb5f3c575e5e354598117396bde922b3bcdae4e9a44abbce.
 161 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 9682709595e9af336e65e8c5710f2afe2528c45e842661a705fc45cc3034ce84.
+ * Made from templates/kernel.c.j2; inputs 33cefe4260c9c528a84124a7d37387bd4be37d6f96d2529de6e38a5df55674f7.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "9682709595e9af336e65e8c5710f2afe2528c45e842661a705fc45cc3034ce84";
+const char planar_ppr_speed_ratio_digest[] = "33cefe4260c9c528a84124a7d37387bd4be37d6f96d2529de6e38a5df55674f7";
 #endif
 
 #define LANES 64

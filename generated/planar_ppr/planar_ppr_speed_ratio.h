@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 9682709595e9af336e65e8c5710f2afe2528c45e842661a705fc45cc3034ce84.
+ * Made from templates/kernel.h.j2; inputs 33cefe4260c9c528a84124a7d37387bd4be37d6f96d2529de6e38a5df55674f7.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

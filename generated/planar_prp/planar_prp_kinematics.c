@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs 6b61a40eca3618dcea1d39016dbed6a2b2d65437c146adb710a73b803b14bd21.
+ * Made from templates/kernel.c.j2; inputs c1084b48b3aefe34fe50a80f2ba9dcb81755cfcf950b5f16113d153ce4800a8e.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "6b61a40eca3618dcea1d39016dbed6a2b2d65437c146adb710a73b803b14bd21";
+const char planar_prp_kinematics_digest[] = "c1084b48b3aefe34fe50a80f2ba9dcb81755cfcf950b5f16113d153ce4800a8e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs 6b61a40eca3618dcea1d39016dbed6a2b2d65437c146adb710a73b803b14bd21.
+ * Made from templates/kernel.h.j2; inputs c1084b48b3aefe34fe50a80f2ba9dcb81755cfcf950b5f16113d153ce4800a8e.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs 78de7cc9e1e89c900379f827942d843ca2cf09c16e5d5922229e439b421703a1.
+ * Made from templates/kernel.c.j2; inputs 9a1ce2ee14bdbf07180622294a9c1b0f0733ca0ec5b2bb65d4cce41262224762.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "78de7cc9e1e89c900379f827942d843ca2cf09c16e5d5922229e439b421703a1";
+const char planar_prp_motion_digest[] = "9a1ce2ee14bdbf07180622294a9c1b0f0733ca0ec5b2bb65d4cce41262224762";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 78de7cc9e1e89c900379f827942d843ca2cf09c16e5d5922229e439b421703a1.
+ * Made from templates/kernel.h.j2; inputs 9a1ce2ee14bdbf07180622294a9c1b0f0733ca0ec5b2bb65d4cce41262224762.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

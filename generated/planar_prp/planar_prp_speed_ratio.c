@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs 9978ef8a12c82a5f5e877080196587230c746b04d21bbb342cce5403c24fb402.
+ * Made from templates/kernel.c.j2; inputs 8e736cb2ad3d26298ca1f83de38e94267229b01355a67930a5f5a4b57f1dce41.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "9978ef8a12c82a5f5e877080196587230c746b04d21bbb342cce5403c24fb402";
+const char planar_prp_speed_ratio_digest[] = "8e736cb2ad3d26298ca1f83de38e94267229b01355a67930a5f5a4b57f1dce41";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9978ef8a12c82a5f5e877080196587230c746b04d21bbb342cce5403c24fb402.
+Made from templates/kernel.py.j2; inputs 8e736cb2ad3d26298ca1f83de38e94267229b01355a67930a5f5a4b57f1dce41.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

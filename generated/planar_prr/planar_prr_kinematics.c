@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs b75227924e68b911a9548661293d20e210e09418edcbae8ad42011f1fe1e4fbd.
+ * Made from templates/kernel.c.j2; inputs 017754ba73168d9310226f74cf096674bb904d95b0934d3b72eb69d0fb45493d.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "b75227924e68b911a9548661293d20e210e09418edcbae8ad42011f1fe1e4fbd";
+const char planar_prr_kinematics_digest[] = "017754ba73168d9310226f74cf096674bb904d95b0934d3b72eb69d0fb45493d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs b75227924e68b911a9548661293d20e210e09418edcbae8ad42011f1fe1e4fbd.
+ * Made from templates/kernel.h.j2; inputs 017754ba73168d9310226f74cf096674bb904d95b0934d3b72eb69d0fb45493d.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

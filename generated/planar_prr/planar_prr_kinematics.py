@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b75227924e68b911a9548661293d20e210e09418edcbae8ad42011f1fe1e4fbd.
+Made from templates/kernel.py.j2; inputs 017754ba73168d9310226f74cf096674bb904d95b0934d3b72eb69d0fb45493d.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 34318e23b0d061a812f6020f9b0b71b9c26312cb15a1b4f696d22f4a02e56453.
+ * Made from templates/kernel.c.j2; inputs 0872263984c80521e140e1e6e726052698096a80ecc6864572f5d47d6db41e88.
  * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "34318e23b0d061a812f6020f9b0b71b9c26312cb15a1b4f696d22f4a02e56453";
+const char planar_prr_motion_digest[] = "0872263984c80521e140e1e6e726052698096a80ecc6864572f5d47d6db41e88";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 34318e23b0d061a812f6020f9b0b71b9c26312cb15a1b4f696d22f4a02e56453.
+Made from templates/kernel.py.j2; inputs 0872263984c80521e140e1e6e726052698096a80ecc6864572f5d47d6db41e88.
 203 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 2bfab1489a849a55be520ce2aa6baaf3505d2f6a624661f2ad7698c47c7c60fc.
+ * Made from templates/kernel.c.j2; inputs eab2695d5f3fd65b45c12795f4cfe8c140486011b04badd24979e7e8b982b54d.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "2bfab1489a849a55be520ce2aa6baaf3505d2f6a624661f2ad7698c47c7c60fc";
+const char planar_prr_speed_ratio_digest[] = "eab2695d5f3fd65b45c12795f4cfe8c140486011b04badd24979e7e8b982b54d";
 #endif
 
 #define LANES 64

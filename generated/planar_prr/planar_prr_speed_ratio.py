@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2bfab1489a849a55be520ce2aa6baaf3505d2f6a624661f2ad7698c47c7c60fc.
+Made from templates/kernel.py.j2; inputs eab2695d5f3fd65b45c12795f4cfe8c140486011b04badd24979e7e8b982b54d.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs ca045d7e5310a81ca3cd62f2d4f03bb7de40085ad4539b5ba520890df40a74b4.
+ * Made from templates/kernel.c.j2; inputs fe3ff7d82414fefb9c1917e0cbfd5de907c1a0e154105b11e73b42685d2ed5b0.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "ca045d7e5310a81ca3cd62f2d4f03bb7de40085ad4539b5ba520890df40a74b4";
+const char planar_rpp_kinematics_digest[] = "fe3ff7d82414fefb9c1917e0cbfd5de907c1a0e154105b11e73b42685d2ed5b0";
 #endif
 
 #define LANES 64

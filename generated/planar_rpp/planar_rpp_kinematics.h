@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs ca045d7e5310a81ca3cd62f2d4f03bb7de40085ad4539b5ba520890df40a74b4.
+ * Made from templates/kernel.h.j2; inputs fe3ff7d82414fefb9c1917e0cbfd5de907c1a0e154105b11e73b42685d2ed5b0.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

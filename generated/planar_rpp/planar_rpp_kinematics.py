@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ca045d7e5310a81ca3cd62f2d4f03bb7de40085ad4539b5ba520890df40a74b4.
+Made from templates/kernel.py.j2; inputs fe3ff7d82414fefb9c1917e0cbfd5de907c1a0e154105b11e73b42685d2ed5b0.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs a2fc719bd68fa6b89412a468ccf8ad3a53229bab4fa3623b6298020da564e945.
+ * Made from templates/kernel.c.j2; inputs 19b3d659d85dbfc179ac670962b173b4c2f30d615f1d7d0ddf4377e8dd79655c.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "a2fc719bd68fa6b89412a468ccf8ad3a53229bab4fa3623b6298020da564e945";
+const char planar_rpp_motion_digest[] = "19b3d659d85dbfc179ac670962b173b4c2f30d615f1d7d0ddf4377e8dd79655c";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs a2fc719bd68fa6b89412a468ccf8ad3a53229bab4fa3623b6298020da564e945.
+ * Made from templates/kernel.h.j2; inputs 19b3d659d85dbfc179ac670962b173b4c2f30d615f1d7d0ddf4377e8dd79655c.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a2fc719bd68fa6b89412a468ccf8ad3a53229bab4fa3623b6298020da564e945.
+Made from templates/kernel.py.j2; inputs 19b3d659d85dbfc179ac670962b173b4c2f30d615f1d7d0ddf4377e8dd79655c.
 298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

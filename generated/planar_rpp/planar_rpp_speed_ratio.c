@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs e359f2d38b8a6c0852d49b940827fe19af8679ad97d8d9d48a94c6692ebaefe8.
+ * Made from templates/kernel.c.j2; inputs b32a6b5ba7ef9c6eb72d2e97b04dbbbbed72374fd331abc0bde072a0dac4aa0e.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "e359f2d38b8a6c0852d49b940827fe19af8679ad97d8d9d48a94c6692ebaefe8";
+const char planar_rpp_speed_ratio_digest[] = "b32a6b5ba7ef9c6eb72d2e97b04dbbbbed72374fd331abc0bde072a0dac4aa0e";
 #endif
 
 #define LANES 64

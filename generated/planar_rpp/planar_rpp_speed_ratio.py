@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e359f2d38b8a6c0852d49b940827fe19af8679ad97d8d9d48a94c6692ebaefe8.
+Made from templates/kernel.py.j2; inputs b32a6b5ba7ef9c6eb72d2e97b04dbbbbed72374fd331abc0bde072a0dac4aa0e.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 7ae2fd817ad3872b501b45b534904d6f0fb0de3671b7ee7e89e141305b7be849.
+ * Made from templates/kernel.c.j2; inputs 3e39f05d8b25708afb2b190673d2b15f3ad55eca8f2c806deab2930a7eabc46c.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "7ae2fd817ad3872b501b45b534904d6f0fb0de3671b7ee7e89e141305b7be849";
+const char planar_rpr_kinematics_digest[] = "3e39f05d8b25708afb2b190673d2b15f3ad55eca8f2c806deab2930a7eabc46c";
 #endif
 
 #define LANES 64

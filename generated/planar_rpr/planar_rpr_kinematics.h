@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 7ae2fd817ad3872b501b45b534904d6f0fb0de3671b7ee7e89e141305b7be849.
+ * Made from templates/kernel.h.j2; inputs 3e39f05d8b25708afb2b190673d2b15f3ad55eca8f2c806deab2930a7eabc46c.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 66bca06c6ff1c34c4c50d19dc26e49f18a0280d72d5fd7dd0ea5bf33dc60a929.
+ * Made from templates/kernel.c.j2; inputs 9681989c4700e515e7f4cc77fa5f7c38b9b97a7c13be285d9eb9a43661009e82.
  * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "66bca06c6ff1c34c4c50d19dc26e49f18a0280d72d5fd7dd0ea5bf33dc60a929";
+const char planar_rpr_motion_digest[] = "9681989c4700e515e7f4cc77fa5f7c38b9b97a7c13be285d9eb9a43661009e82";
 #endif
 
 #define LANES 64

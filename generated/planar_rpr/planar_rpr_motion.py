@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 66bca06c6ff1c34c4c50d19dc26e49f18a0280d72d5fd7dd0ea5bf33dc60a929.
+Made from templates/kernel.py.j2; inputs 9681989c4700e515e7f4cc77fa5f7c38b9b97a7c13be285d9eb9a43661009e82.
 274 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs e03618696b94af2eabefdcafc3d959c634c06b8df680cd2d3bda2b57b8d697ad.
+ * Made from templates/kernel.c.j2; inputs 21e77ab5770bf937bcb79ad70f7aa8b5037322df16a8ac3a9f0bbd74e376920a.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "e03618696b94af2eabefdcafc3d959c634c06b8df680cd2d3bda2b57b8d697ad";
+const char planar_rpr_speed_ratio_digest[] = "21e77ab5770bf937bcb79ad70f7aa8b5037322df16a8ac3a9f0bbd74e376920a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs e03618696b94af2eabefdcafc3d959c634c06b8df680cd2d3bda2b57b8d697ad.
+ * Made from templates/kernel.h.j2; inputs 21e77ab5770bf937bcb79ad70f7aa8b5037322df16a8ac3a9f0bbd74e376920a.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs be33b7986ca7144b9a92ec591621808adbc01dd1257e208f67efc25c563bae9e.
+ * Made from templates/kernel.c.j2; inputs 8da38e7c1e07ef051a7d113d075e96d98b9919367c9fa182f0b9b624fa816635.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "be33b7986ca7144b9a92ec591621808adbc01dd1257e208f67efc25c563bae9e";
+const char planar_rrp_kinematics_digest[] = "8da38e7c1e07ef051a7d113d075e96d98b9919367c9fa182f0b9b624fa816635";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs be33b7986ca7144b9a92ec591621808adbc01dd1257e208f67efc25c563bae9e.
+ * Made from templates/kernel.h.j2; inputs 8da38e7c1e07ef051a7d113d075e96d98b9919367c9fa182f0b9b624fa816635.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs c53ce2a69973c746c8d2f18e88abaa31ff636a4c1b49e0fa613c32f15dd82153.
+ * Made from templates/kernel.c.j2; inputs 6b80ec12dc5000d58edb63050413e818a936b5a35ffbc2d72a9e45c66ef7aad8.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "c53ce2a69973c746c8d2f18e88abaa31ff636a4c1b49e0fa613c32f15dd82153";
+const char planar_rrp_motion_digest[] = "6b80ec12dc5000d58edb63050413e818a936b5a35ffbc2d72a9e45c66ef7aad8";
 #endif
 
 #define LANES 64

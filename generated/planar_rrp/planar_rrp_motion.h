@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs c53ce2a69973c746c8d2f18e88abaa31ff636a4c1b49e0fa613c32f15dd82153.
+ * Made from templates/kernel.h.j2; inputs 6b80ec12dc5000d58edb63050413e818a936b5a35ffbc2d72a9e45c66ef7aad8.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

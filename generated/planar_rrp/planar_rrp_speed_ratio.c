@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs b0a8b5e907ddcdd973ed7c5cb305f2de0f36493f66d39c6ee6a4240c9e8015b4.
+ * Made from templates/kernel.c.j2; inputs 2a135b1da9cc2baec5050f881d25a865817ab6e87b8578283faafe881f3a9de4.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "b0a8b5e907ddcdd973ed7c5cb305f2de0f36493f66d39c6ee6a4240c9e8015b4";
+const char planar_rrp_speed_ratio_digest[] = "2a135b1da9cc2baec5050f881d25a865817ab6e87b8578283faafe881f3a9de4";
 #endif
 
 #define LANES 64

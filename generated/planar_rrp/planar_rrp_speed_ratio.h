@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.h: speed ratio of planar_rrp.
- * Made from templates/kernel.h.j2; inputs b0a8b5e907ddcdd973ed7c5cb305f2de0f36493f66d39c6ee6a4240c9e8015b4.
+ * Made from templates/kernel.h.j2; inputs 2a135b1da9cc2baec5050f881d25a865817ab6e87b8578283faafe881f3a9de4.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.h: continuation position of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 3f9d154bb95207639a18849310c91d5b94ae13b5868ed7ef00125fc1cb0c1f50.
+ * Made from templates/kernel.h.j2; inputs 0ecce7939c2f26ce96fe2deb9281b43f76315ed171f1e1ab4e36bcbdab925f57.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

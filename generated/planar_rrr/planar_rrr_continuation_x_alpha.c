@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.c: continuation x alpha of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 3f9d154bb95207639a18849310c91d5b94ae13b5868ed7ef00125fc1cb0c1f50.
+ * Made from templates/kernel.c.j2; inputs 0ecce7939c2f26ce96fe2deb9281b43f76315ed171f1e1ab4e36bcbdab925f57.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_x_alpha_digest[] = "3f9d154bb95207639a18849310c91d5b94ae13b5868ed7ef00125fc1cb0c1f50";
+const char planar_rrr_continuation_x_alpha_digest[] = "0ecce7939c2f26ce96fe2deb9281b43f76315ed171f1e1ab4e36bcbdab925f57";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.c: kinematics of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 1dc7232d7c480f39cc5566fc7b6e0af2fe375c9780e05f086b135ccd13576723.
+ * Made from templates/kernel.c.j2; inputs 919a195c85da8c7e30cb5900eb28b4f9b4858560ef25ac7382fad50a913dbe17.
  * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_kinematics_digest[] = "1dc7232d7c480f39cc5566fc7b6e0af2fe375c9780e05f086b135ccd13576723";
+const char planar_rrr_kinematics_digest[] = "919a195c85da8c7e30cb5900eb28b4f9b4858560ef25ac7382fad50a913dbe17";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 320fb81fc76a1747ce225db7f5754cac5d5bb9ddeac5cc2bb1edfab07072f497.
+ * Made from templates/kernel.c.j2; inputs 2aae36cc2af94d14a987433baf33c600f87fe276c351a15fb8e17e82ee6586b8.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "320fb81fc76a1747ce225db7f5754cac5d5bb9ddeac5cc2bb1edfab07072f497";
+const char planar_rrr_motion_digest[] = "2aae36cc2af94d14a987433baf33c600f87fe276c351a15fb8e17e82ee6586b8";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 320fb81fc76a1747ce225db7f5754cac5d5bb9ddeac5cc2bb1edfab07072f497.
+Made from templates/kernel.py.j2; inputs 2aae36cc2af94d14a987433baf33c600f87fe276c351a15fb8e17e82ee6586b8.
 248 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

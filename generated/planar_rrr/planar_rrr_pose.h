@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 1dc7232d7c480f39cc5566fc7b6e0af2fe375c9780e05f086b135ccd13576723.
+ * Made from templates/kernel.h.j2; inputs 919a195c85da8c7e30cb5900eb28b4f9b4858560ef25ac7382fad50a913dbe17.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

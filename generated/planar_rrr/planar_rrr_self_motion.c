@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs e6f573eaba526cc933ae222137749324305f9e1f54fac8627c0b2562b12e87a9.
+ * Made from templates/kernel.c.j2; inputs c841dbb45c83e5238833ca00210d42fc5774ceff4f9a1aff06a11dfb99e0daa3.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "e6f573eaba526cc933ae222137749324305f9e1f54fac8627c0b2562b12e87a9";
+const char planar_rrr_self_motion_digest[] = "c841dbb45c83e5238833ca00210d42fc5774ceff4f9a1aff06a11dfb99e0daa3";
 #endif
 
 #define LANES 64

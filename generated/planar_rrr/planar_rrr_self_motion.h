@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs e6f573eaba526cc933ae222137749324305f9e1f54fac8627c0b2562b12e87a9.
+ * Made from templates/kernel.h.j2; inputs c841dbb45c83e5238833ca00210d42fc5774ceff4f9a1aff06a11dfb99e0daa3.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 994a886d20c026f3bac112061f7ebedd9ad95ea6e448ff2d3d4f16e23d9566ce.
+ * Made from templates/kernel.c.j2; inputs 8281aceba9de0b4a9aea86bfa2d1d95694d9f72465f4478a2a701390af1f5b02.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "994a886d20c026f3bac112061f7ebedd9ad95ea6e448ff2d3d4f16e23d9566ce";
+const char planar_rrr_speed_ratio_digest[] = "8281aceba9de0b4a9aea86bfa2d1d95694d9f72465f4478a2a701390af1f5b02";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 994a886d20c026f3bac112061f7ebedd9ad95ea6e448ff2d3d4f16e23d9566ce.
+Made from templates/kernel.py.j2; inputs 8281aceba9de0b4a9aea86bfa2d1d95694d9f72465f4478a2a701390af1f5b02.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

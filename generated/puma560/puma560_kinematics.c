@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 354a5cd987e6ea55150195c9ffa6f0ee32bb95137837d5c0887153e2e2704564.
+ * Made from templates/kernel.c.j2; inputs b1ace816f15672b7f6e63c7297c97e3cf17d774f29030c7fa08ff58bfc9a440b.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "354a5cd987e6ea55150195c9ffa6f0ee32bb95137837d5c0887153e2e2704564";
+const char puma560_kinematics_digest[] = "b1ace816f15672b7f6e63c7297c97e3cf17d774f29030c7fa08ff58bfc9a440b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 354a5cd987e6ea55150195c9ffa6f0ee32bb95137837d5c0887153e2e2704564.
+Made from templates/kernel.py.j2; inputs b1ace816f15672b7f6e63c7297c97e3cf17d774f29030c7fa08ff58bfc9a440b.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs 057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865.
+ * Made from templates/kernel.c.j2; inputs 7e5fbfc70fb5d471bd7ab43f6f1fd2d70625c9d2f711b02e38e7d8b54221390e.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865";
+const char puma560_pose_digest[] = "7e5fbfc70fb5d471bd7ab43f6f1fd2d70625c9d2f711b02e38e7d8b54221390e";
 #endif
 
 #define LANES 64

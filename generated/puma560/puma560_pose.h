@@ -1,5 +1,5 @@
 /* puma560_pose.h: manipulability (pose) of puma560.
- * Made from templates/kernel.h.j2; inputs 057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865.
+ * Made from templates/kernel.h.j2; inputs 7e5fbfc70fb5d471bd7ab43f6f1fd2d70625c9d2f711b02e38e7d8b54221390e.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 057623538da7cbcbc59f826788adb9d0c238514787d7af658db7167f323cb865.
+Made from templates/kernel.py.j2; inputs 7e5fbfc70fb5d471bd7ab43f6f1fd2d70625c9d2f711b02e38e7d8b54221390e.
 298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs c461d220c86cd5110c4dd64ef450c2c15f2867265e92912f64cbfc47218e7a13.
+ * Made from templates/kernel.c.j2; inputs 970cbb65f6ff5d2bb4534fd01ef76d544fba5aeb96745475e84ef285b30eac3a.
  * 3500 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "c461d220c86cd5110c4dd64ef450c2c15f2867265e92912f64cbfc47218e7a13";
+const char regional_3r_cuspidality_digest[] = "970cbb65f6ff5d2bb4534fd01ef76d544fba5aeb96745475e84ef285b30eac3a";
 #endif
 
 #define LANES 32

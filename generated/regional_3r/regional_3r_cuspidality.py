@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c461d220c86cd5110c4dd64ef450c2c15f2867265e92912f64cbfc47218e7a13.
+Made from templates/kernel.py.j2; inputs 970cbb65f6ff5d2bb4534fd01ef76d544fba5aeb96745475e84ef285b30eac3a.
 3500 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs a3042b4dc357f5279d9fd26270796eeed7b64cd106700e004920447f6c0681f3.
+ * Made from templates/kernel.c.j2; inputs eca4160ff78f4f68f3208d19055a75416efa58a4442995380fcec042a7ea9150.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "a3042b4dc357f5279d9fd26270796eeed7b64cd106700e004920447f6c0681f3";
+const char sanchez_8r_kinematics_digest[] = "eca4160ff78f4f68f3208d19055a75416efa58a4442995380fcec042a7ea9150";
 #endif
 
 #define LANES 32

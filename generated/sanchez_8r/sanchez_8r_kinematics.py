@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a3042b4dc357f5279d9fd26270796eeed7b64cd106700e004920447f6c0681f3.
+Made from templates/kernel.py.j2; inputs eca4160ff78f4f68f3208d19055a75416efa58a4442995380fcec042a7ea9150.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 20fb89278e8da0f20f997f5122b834231fa80bbc4382ae41e6ef6812062be4b1.
+ * Made from templates/kernel.h.j2; inputs 95de91dfc03a38736841bdaa565d4c97d1d33cef93307afcb0803ce45b5945fc.
  * 2947 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs b7921e2abcde0d81975a059a48efe55bb7753591aea6d4774b0784495ceee0d9.
+ * Made from templates/kernel.c.j2; inputs 8c1302f1c7ace75ec413a99fb6971e21027e70770d78701c264f1108c1ef21e1.
  * 3542 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "b7921e2abcde0d81975a059a48efe55bb7753591aea6d4774b0784495ceee0d9";
+const char sanchez_8r_redundancy_pose_digest[] = "8c1302f1c7ace75ec413a99fb6971e21027e70770d78701c264f1108c1ef21e1";
 #endif
 
 #define LANES 8

@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.h: redundancy pose of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs b7921e2abcde0d81975a059a48efe55bb7753591aea6d4774b0784495ceee0d9.
+ * Made from templates/kernel.h.j2; inputs 8c1302f1c7ace75ec413a99fb6971e21027e70770d78701c264f1108c1ef21e1.
  * 3542 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 62914732b95c8913d70905efc8d502dc9a14019cbcbb255bbd2e0be2bb55e332.
+ * Made from templates/kernel.c.j2; inputs 0437b6bf7402b9b80ff877b040838dd28b2d3556b48ec0aaf48ab767700472d0.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "62914732b95c8913d70905efc8d502dc9a14019cbcbb255bbd2e0be2bb55e332";
+const char ur5e_kinematics_digest[] = "0437b6bf7402b9b80ff877b040838dd28b2d3556b48ec0aaf48ab767700472d0";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 62914732b95c8913d70905efc8d502dc9a14019cbcbb255bbd2e0be2bb55e332.
+Made from templates/kernel.py.j2; inputs 0437b6bf7402b9b80ff877b040838dd28b2d3556b48ec0aaf48ab767700472d0.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b762f0fbc97f652c4335de7cf2a68fa624e09b148c3ec7fc1f2f83318d0e7079.
+Made from templates/kernel.py.j2; inputs ae60681a67a4badfe28de27f2d1a031b4bd4634d07d22a321783535dc05651ba.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs b762f0fbc97f652c4335de7cf2a68fa624e09b148c3ec7fc1f2f83318d0e7079.
+ * Made from templates/kernel.c.j2; inputs ae60681a67a4badfe28de27f2d1a031b4bd4634d07d22a321783535dc05651ba.
  * 836 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "b762f0fbc97f652c4335de7cf2a68fa624e09b148c3ec7fc1f2f83318d0e7079";
+const char ur5e_position_digest[] = "ae60681a67a4badfe28de27f2d1a031b4bd4634d07d22a321783535dc05651ba";
 #endif
 
 #define LANES 64

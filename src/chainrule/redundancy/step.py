@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from chainrule.arm import Arm
 from chainrule.errors import InputError, shown
+from chainrule.evaluators import Evaluator
 from chainrule.inputs import real_array
 
 Array = NDArray[Any]
@@ -234,7 +235,7 @@ class Stepper:
         fixed = (np.zeros(m), np.zeros(n), joints, settings, *((arm.parameters,) if arm.parameters.size else ()))
         self._double, self._single = (tuple(a.astype(kind) for a in fixed) for kind in (np.float64, np.float32))
         self._last = (np.nan, self._double[3])
-        self._most = min(n - m, 6)
+        self._spare = n - m
         self._step = arm.evaluator(f"step_{self.task}")
 
     def __call__(
@@ -272,7 +273,9 @@ class Stepper:
         if secondary is None:
             found = self._step(*aim, *given, out=into)
         else:
-            found = self._priority()(*aim, *self._padded(secondary, still.dtype), *given, out=into)
+            priority = self._priority()
+            most = priority.inputs[3][1][0]  # rows of the input ``secondary``
+            found = priority(*aim, *self._padded(secondary, most, still.dtype), *given, out=into)
         return Step(*found) if out is None else out
 
     def bind(self, dt: float, dtype: DTypeLike = np.float64) -> Bound:
@@ -327,17 +330,17 @@ class Stepper:
         filled[..., -1] = dt
         return filled
 
-    def _priority(self) -> Any:
-        if self._most == 0:
+    def _priority(self) -> Evaluator:
+        if self._spare == 0:
             raise InputError(
                 f"{self.arm.name}: the task '{self.task}' leaves no joint to spare, so no secondary task is accepted"
             )
         return self.arm.evaluator(f"priority_{self.task}")
 
-    def _padded(self, secondary: tuple[ArrayLike, ArrayLike], kind: Any) -> tuple[Array, Array]:
+    def _padded(self, secondary: tuple[ArrayLike, ArrayLike], most: int, kind: Any) -> tuple[Array, Array]:
         """The secondary task with rows of zeros, which do nothing, up to what the generated function takes."""
         matrix, velocity = (np.asarray(a) for a in secondary)
-        rows, most = matrix.shape[-2] if matrix.ndim > 1 else 0, self._most
+        rows = matrix.shape[-2] if matrix.ndim > 1 else 0
         if not 0 < rows <= most or matrix.shape[-1] != self.arm.n or velocity.shape[-1:] != (rows,):
             raise InputError(
                 f"secondary: shapes {matrix.shape} and {velocity.shape}; a Jacobian (..., k, {self.arm.n}) and a "
