@@ -291,7 +291,12 @@ def of_panda(batch: int, least: float) -> tuple[list[Way], str]:
     if least == PLACO_BATCH:
         q = REST + np.random.default_rng(2).uniform(-0.3, 0.3, (batch, arm.n))
         kept = stepper(q, held, None, DT)
-        ways = [Way("chainrule, Stepper", batch, lambda: stepper(q, held, None, DT, out=kept))]
+        small = (q.astype(np.float32), held.astype(np.float32))
+        kept_small = stepper(*small, None, DT)
+        ways = [
+            Way("chainrule, Stepper", batch, lambda: stepper(q, held, None, DT, out=kept)),
+            Way("chainrule, Stepper, float32", batch, lambda: stepper(*small, None, DT, out=kept_small)),
+        ]
     else:
         loop = stepper.bind(DT)
         loop.q[:], loop.held[:] = REST, held

@@ -267,15 +267,17 @@ class Stepper:
         """
         q = np.asarray(q)
         still, unpushed, joints, settings, *parameters = self._single if q.dtype.char == "f" else self._double
-        aim = (q, held, still if velocity is None else velocity)
-        given = (unpushed if push is None else push, joints, self._at(settings, dt), *parameters)
+        velocity = still if velocity is None else velocity
+        push = unpushed if push is None else push
+        settings = self._at(settings, dt)
         into = None if out is None else (out.q_next, out.rates, out.manipulability, out.error, out.null_motion)
         if secondary is None:
-            found = self._step(*aim, *given, out=into)
+            found = self._step(q, held, velocity, push, joints, settings, *parameters, out=into)
         else:
             priority = self._priority()
             most = priority.inputs[3][1][0]  # rows of the input ``secondary``
-            found = priority(*aim, *self._padded(secondary, most, still.dtype), *given, out=into)
+            second = self._padded(secondary, most, still.dtype)
+            found = priority(q, held, velocity, *second, push, joints, settings, *parameters, out=into)
         return Step(*found) if out is None else out
 
     def bind(self, dt: float, dtype: DTypeLike = np.float64) -> Bound:
