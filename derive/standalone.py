@@ -116,7 +116,8 @@ def _reference_values(arm: Description, functions: list[Function], kernels: Sequ
         # Of some inputs those whose verdicts are clearest: next to a change of verdict a margin is rounding alone.
         samples.append(max((one(fixed) for _ in range(8)), key=margin) if doubtful else one(fixed))
     inputs = [
-        {"name": name, "size": len(samples[0][name]), "rows": [_row(s[name]) for s in samples]} for name in samples[0]
+        {"name": name, "size": len(samples[0][name]), "shape": port.shape, "rows": [_row(s[name]) for s in samples]}
+        for name, port in ports.items()
     ]
     views = [_function(f, k, identifier(arm.name), samples) for f, k in zip(functions, kernels, strict=True)]
     return {"inputs": inputs, "functions": views}
