@@ -36,8 +36,8 @@ def joint_path(run: Run, pieces: int = PIECES) -> JointPath:
 def fastest_run(run: Run, path: TaskPath, *, velocity: Any = None, acceleration: Any = None) -> Run:
     """The joint motion of a run in the least time from rest to rest, by TOPP-RA.
 
-    The joints pass the same postures (between at most :data:`PIECES` samples the cubics through them and their rates), at
-    other times; ``scale`` says how many times as fast as before, and may exceed 1.
+    The joints pass the same postures (between at most :data:`PIECES` samples the cubics through them and their rates)
+    at other times; ``scale`` says how many times as fast as before, and may exceed 1.
 
     Args:
         run: a complete one whose task was not scaled.
@@ -55,7 +55,7 @@ def fastest_run(run: Run, path: TaskPath, *, velocity: Any = None, acceleration:
         >>> path = cr.TaskPath.line((0.6, 0.3), (1.2, 0.6), duration=1.0)
         >>> run = cr.track(arm, path, "best", gain=0.5, criterion="H", dt=0.01)
         >>> quick = cr.fastest_run(run, path, velocity=2.0, acceleration=10.0)
-        >>> quick.t[-1] < 1.0, quick.peak_rate < 2.0 + 1e-9, quick.worst_position_error < 1e-3
+        >>> bool(quick.t[-1] < 1.0), quick.peak_rate < 2.0 + 1e-9, quick.worst_position_error < 1e-3
         (True, True, True)
     """
     arm, task = run.arm, run.task
