@@ -15,6 +15,7 @@ import chainrule as cr
 from chainrule.errors import InputError
 from chainrule.redundancy.limited import Box, Program, box, braking
 from chainrule.redundancy.measure import errors
+from chainrule.redundancy.result import EVENTS
 from chainrule.redundancy.stability import decay
 from chainrule.redundancy.starts import best, bring, postures_at
 from chainrule.redundancy.step import Damping, Law, Stepper
@@ -155,10 +156,12 @@ def test_a_secondary_task_and_a_push() -> None:
     options: dict[str, Any] = {"gain": 0.0, "dt": 0.01}
     secondary = cr.track(THESIS, ARC, A, method="priority", secondary=lambda t, q: (row, np.zeros(1)), **options)
     held = cr.track(THESIS, ARC, A, weights=np.where(row[0] == 1.0, np.inf, 1.0), **options)
-    np.testing.assert_allclose(secondary.q, held.q, atol=1e-9)  # to stand still by priority, and by weight
+    np.testing.assert_allclose(secondary.q, held.q, atol=1e-6)  # to stand still by priority, and by weight
     moved = cr.track(THESIS, ARC, A, method="priority", secondary=lambda t, q: (row, np.array([0.05])), **options)
     np.testing.assert_allclose(moved.rates[:, 2], 0.05, atol=1e-9)
-    assert moved.worst_position_error < 1e-3
+    tip = np.einsum("kij,kj->ki", THESIS.jacobian(moved.q), moved.rates)[:, :3]
+    velocity = ARC.sample(moved.t, "position").velocity
+    np.testing.assert_allclose(tip, velocity - 50.0 * moved.position_error, atol=1e-8)
     pushed = cr.track(
         THESIS,
         ARC,
@@ -547,6 +550,7 @@ def test_rotation_vectors_of_half_turns() -> None:
     np.testing.assert_allclose(turned, [[1.2, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, np.pi, 0.0]], atol=1e-15)
 
 
-def test_events_are_in_order_of_time() -> None:
+def test_events_are_known_and_in_order_of_time() -> None:
     run = cr.track(PANDA, *panda_line(0, 0.25, 0.25), dt=0.005, limits=True)
+    assert run.events and {event.kind for event in run.events} <= set(EVENTS)
     assert all(first.t <= second.t for first, second in pairwise(run.events))
