@@ -73,7 +73,8 @@ def test_the_integrators_have_their_orders() -> None:
 
     end = solve_ivp(law, (0.0, 1.0), q0, method="DOP853", rtol=1e-12, atol=1e-13).y[:, -1]
     options: dict[str, Any] = {"gain": -2.0, "feedback": 0.0}
-    for integrator, order, counts in (("euler", 1, (200, 400)), ("heun", 2, (100, 200)), ("rk4", 4, (40, 80))):
+    cases: Any = (("euler", 1, (200, 400)), ("heun", 2, (100, 200)), ("rk4", 4, (40, 80)))
+    for integrator, order, counts in cases:
         misses = [
             np.abs(cr.track(PANDA, path, q0, integrator=integrator, dt=1.0 / n, **options).q[-1] - end).max()
             for n in counts
@@ -216,6 +217,10 @@ def test_the_line_is_followed_by_the_local_law_inside_limits() -> None:
     run = cr.track(arm, LINE, L, gain=-2.0, dt=0.0067, limits=True)
     assert run.status == "complete" and run.peak_rate <= 3.0 and run.worst_position_error < 1e-3
     assert run.t[-1] < 2.5
+    arm = THESIS.with_limits(velocity=[10.0] * 8)
+    run = cr.track(arm, LINE, L, method="pseudoinverse", dt=0.002, limits=True)
+    assert run.status == "complete" and run.peak_rate <= 10.0 and run.worst_position_error < 2e-4
+    assert (run.scale == 1.0).all() and len(run.t) == 1001  # saturated in the null space, not slowed down
 
 
 @pytest.mark.parametrize("start", [A, B, C], ids=["A", "B", "C"])
