@@ -29,6 +29,11 @@ if TYPE_CHECKING:
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
     from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
     from chainrule.readers.paths import read_path
+    from chainrule.redundancy.batch import Batch, Forecast, forecast, track_batch
+    from chainrule.redundancy.path_files import read_task_path
+    from chainrule.redundancy.result import Event, Run
+    from chainrule.redundancy.task_path import TaskPath
+    from chainrule.redundancy.track import track
     from chainrule.scaling import time_scaling
     from chainrule.self_motions.along import SelfMotionAlong, self_motion_along
     from chainrule.self_motions.best import BestPosture, best_posture
@@ -42,14 +47,17 @@ if TYPE_CHECKING:
 __all__ = [
     "Arc",
     "Arm",
+    "Batch",
     "BestPosture",
     "Circle",
     "Component",
     "Curve",
     "DescriptionError",
     "Ellipse",
+    "Event",
     "FastestMove",
     "FeasiblePostures",
+    "Forecast",
     "FreeJointWarning",
     "GenerationError",
     "InputError",
@@ -63,17 +71,20 @@ __all__ = [
     "PostureChange",
     "Postures",
     "Regional3R",
+    "Run",
     "SelfMotion",
     "SelfMotionAlong",
     "SelfMotionMap",
     "SpeedRatios",
     "Spline",
+    "TaskPath",
     "Witness",
     "Workspace",
     "best_posture",
     "classify_orthogonal_3r",
     "fastest",
     "follow",
+    "forecast",
     "generate",
     "load",
     "manipulability_map",
@@ -86,6 +97,7 @@ __all__ = [
     "posture_change_witness",
     "postures",
     "read_path",
+    "read_task_path",
     "regional_3r",
     "self_motion",
     "self_motion_along",
@@ -94,6 +106,8 @@ __all__ = [
     "speed_ratios_4",
     "speed_ratios_4_each",
     "time_scaling",
+    "track",
+    "track_batch",
     "workspace",
 ]
 
@@ -127,6 +141,11 @@ _HOMES = {
     **dict.fromkeys(("BestPosture", "best_posture"), "chainrule.self_motions.best"),
     "self_motion": "chainrule.self_motions.face",
     "read_path": "chainrule.readers.paths",
+    "read_task_path": "chainrule.redundancy.path_files",
+    **dict.fromkeys(("Event", "Run"), "chainrule.redundancy.result"),
+    "TaskPath": "chainrule.redundancy.task_path",
+    "track": "chainrule.redundancy.track",
+    **dict.fromkeys(("Batch", "Forecast", "forecast", "track_batch"), "chainrule.redundancy.batch"),
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),
 }
 
