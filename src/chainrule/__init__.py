@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
     from chainrule.readers.paths import read_path
     from chainrule.redundancy.batch import Batch, Forecast, forecast, track_batch
+    from chainrule.redundancy.globally import GlobalRun, track_globally
     from chainrule.redundancy.path_files import read_task_path
     from chainrule.redundancy.result import Event, Run
     from chainrule.redundancy.task_path import TaskPath
@@ -60,6 +61,7 @@ __all__ = [
     "Forecast",
     "FreeJointWarning",
     "GenerationError",
+    "GlobalRun",
     "InputError",
     "JointMove",
     "Limits",
@@ -108,6 +110,7 @@ __all__ = [
     "time_scaling",
     "track",
     "track_batch",
+    "track_globally",
     "workspace",
 ]
 
@@ -141,6 +144,7 @@ _HOMES = {
     **dict.fromkeys(("BestPosture", "best_posture"), "chainrule.self_motions.best"),
     "self_motion": "chainrule.self_motions.face",
     "read_path": "chainrule.readers.paths",
+    **dict.fromkeys(("GlobalRun", "track_globally"), "chainrule.redundancy.globally"),
     "read_task_path": "chainrule.redundancy.path_files",
     **dict.fromkeys(("Event", "Run"), "chainrule.redundancy.result"),
     "TaskPath": "chainrule.redundancy.task_path",

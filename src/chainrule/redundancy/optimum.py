@@ -23,7 +23,13 @@ Stage = Literal["max min w", "integral of criterion", "squared rates", "peak rat
 #: A share of the squared rates in every other objective: among equally good paths the smoother one.
 SMOOTHING = 1e-3
 #: IPOPT's own measure of optimality, and the most iterations of one solution.
-TOLERANCE, ITERATIONS = 1e-8, 400
+TOLERANCE, ITERATIONS = 1e-8, 200
+#: How IPOPT is kept near a start that is nearly a solution: by the barrier of its last iterations, and little pushing.
+WARM = {
+    "ipopt.mu_init": 1e-4,
+    **dict.fromkeys((f"ipopt.{part}" for part in ("bound_push", "bound_frac")), 1e-6),
+    **dict.fromkeys((f"ipopt.slack_{part}" for part in ("bound_push", "bound_frac")), 1e-6),
+}
 #: What IPOPT calls a solution.
 SOLVED = ("Solve_Succeeded", "Solved_To_Acceptable_Level")
 
@@ -72,21 +78,6 @@ class Problem:
         held = np.broadcast_to(self.held, (*q.shape[:-1], self.held.shape[1])).reshape(len(rows), -1)
         error, w = (np.array(found) for found in self.function.map(len(rows))(rows.T, held.T))
         return error.T.reshape(*q.shape[:-1], -1), w.reshape(q.shape[:-1])
-
-    @cached_property
-    def _linear(self) -> Any:
-        """(q, held) -> (error, its derivative, w, the derivative of log w)."""
-        import casadi as ca
-
-        q, held = ca.SX.sym("q", self.arm.n), ca.SX.sym("held", self.held.shape[1])
-        error, w = self.function(q, held)
-        return ca.Function("linear", [q, held], [error, ca.jacobian(error, q), w, ca.jacobian(w, q) / w])
-
-    def linear(self, q: Array, held: Array) -> tuple[Array, Array, Array, Array]:
-        """Error (s, m), its derivative (s, m, n), w (s,) and the derivative (s, n) of log w at postures (s, n)."""
-        s, n = q.shape
-        error, slope, w, log = (np.array(found) for found in self._linear.map(s)(q.T, held.T))
-        return error.T, slope.T.reshape(s, n, -1).swapaxes(1, 2), w[0], log.reshape(s, n)
 
     def rates(self, q: Array) -> Array:
         """(k - 1, n)."""
@@ -142,12 +133,14 @@ class Aim:
         criterion: for the integral: "H", "1/H" or "H^(-1/2)".
         floor: the least w allowed; 0 for none.
         cap: (n,) the largest rates allowed beside the limits; infinite for none.
+        warm: whether the start is nearly a solution, to be kept near.
     """
 
     stage: Stage
     criterion: str
     floor: float
     cap: Array
+    warm: bool = False
 
 
 class _Rows:
@@ -195,7 +188,7 @@ def solve(problem: Problem, aim: Aim, start: Array) -> tuple[Array, Optimality]:
     low, high = (np.tile(bound, count) for bound in problem.limits.position.T)
     lower, upper = np.append(low, np.full(extra_start.size, 1e-9)), np.append(high, np.full(extra_start.size, np.inf))
     guess = np.append(start[own].ravel(), extra_start)
-    at, optimality = _ipopt(ca.vertcat(ca.vec(x), extra), objective, rows, lower, upper, guess)
+    at, optimality = _ipopt(ca.vertcat(ca.vec(x), extra), objective, rows, lower, upper, guess, aim.warm)
     found = start.copy()
     found[own] = at[: n * count].reshape(count, n)
     if problem.turns is not None:
@@ -267,7 +260,7 @@ def _limits(rows: _Rows, problem: Problem, aim: Aim, moved: Any) -> None:
 
 
 def _ipopt(
-    x: Any, objective: Any, rows: _Rows, lower: Array, upper: Array, guess: Array
+    x: Any, objective: Any, rows: _Rows, lower: Array, upper: Array, guess: Array, warm: bool
 ) -> tuple[Array, Optimality]:
     """Solve, and measure how well the conditions of first order hold."""
     import casadi as ca
@@ -280,6 +273,7 @@ def _ipopt(
         "ipopt.sb": "yes",
         "ipopt.tol": TOLERANCE,
         "ipopt.max_iter": ITERATIONS,
+        **(WARM if warm else {}),
     }
     solver = ca.nlpsol("path", "ipopt", {"x": x, "f": objective, "g": g}, options)
     found = solver(x0=guess, lbx=lower, ubx=upper, lbg=low, ubg=high)
