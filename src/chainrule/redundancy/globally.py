@@ -1,9 +1,9 @@
 """A whole path at once: of all joint motions that hold the task, one that is locally the best.
 
-A local law decides at each instant; led into a singularity, it is too late. Here the postures at all samples
-are unknown together (:mod:`.optimum`), and IPOPT looks for a local optimum from each of several starts: the joint
-motions of local laws, and of local laws pushed along the self-motion. Each start is solved on a coarse mesh; the best of
-them is interpolated, brought back onto the targets by Newton's method, and solved again at every sample.
+A local law decides at each instant; led into a singularity, it is too late. Here the postures at all samples are
+unknown together (:mod:`.optimum`), and IPOPT looks for a local optimum from each of several starts: the joint motions
+of local laws, and of local laws pushed along the self-motion. Each start is solved on a coarse mesh; the best of them
+is interpolated, brought back onto the targets by Newton's method, and solved again at every sample.
 
 What is found is a local optimum to first order. No statement about all joint motions is made.
 """
@@ -46,8 +46,8 @@ CLOSE = 1e-2
 TRIED = 3
 #: How far a start or the end of a closed path may miss its target (m, rad).
 MISSED = 1e-6
-#: Shares of the way uphill of the local starts in one coarse step, and the push of the others along the self-motion over
-#: the whole path (rad or m).
+#: Shares of the way uphill of the local starts in one coarse step, and the push of the others along the self-motion
+#: over the whole path (rad or m).
 UPHILL, PUSH = (0.0, 0.01, 0.05), 2.0
 #: Corrections of a posture of a local start, and the largest change of a joint in one (rad or m).
 CORRECTIONS, STRIDE = 4, 0.3
@@ -87,6 +87,9 @@ class GlobalRun:
         values: of the objective for each start, on the coarse mesh; nan where none was found.
         agreed: how many of them came within 0.1 % of the best of them.
         bound: (n,) the rates that were allowed, beside the limits; infinite where any were.
+        ceiling: for "max min w": the largest w met among postures at the target where the path has its least, the whole
+            self-motion where one joint is to spare, else many postures climbing; no path has a larger least w than the
+            largest w at any one of its targets. None for other objectives.
         between: what happens between the samples; None where the path is not known there.
         interrupted: whether Ctrl-C ended the search.
         text: all this in a sentence.
@@ -99,6 +102,7 @@ class GlobalRun:
     values: Array
     agreed: int
     bound: Array
+    ceiling: float | None
     between: Between | None
     interrupted: bool
     text: str
@@ -124,6 +128,7 @@ class GlobalRun:
             "values": [float(v) if np.isfinite(v) else None for v in self.values],
             "agreed": self.agreed,
             "bound": [float(v) if np.isfinite(v) else None for v in self.bound],
+            "ceiling": self.ceiling,
             "between": None if self.between is None else self.between.to_dict(),
             "text": self.text,
             "run": self.run.to_dict(),
@@ -161,10 +166,10 @@ def track_globally(
             from too; when absent the posture of largest w found at the first target.
         t: (k,) rising times, s; with a :class:`TaskPath` they may be left out.
         task: what is held; the arm's default task when absent.
-        objective: "max min w" (the largest least w = sqrt(det J J^T) over the samples, and among paths as good the
-            least peak rate); "integral of criterion", over time (H is raised, 1/H and H^(-1/2) are lowered); "squared
-            rates", the least integral of |q'|^2; "peak rate", the least largest |q'_j|. Every one but the third holds
-            a share of 0.001 of squared rates, so that the motion is smooth where the objective leaves it open.
+        objective: "max min w": the largest least w = sqrt(det J J^T) over the samples but a fixed start, and among
+            paths as good the least peak rate; "integral of criterion": over time, H raised, 1/H and H^(-1/2) lowered;
+            "squared rates": the least integral of |q'|^2; "peak rate": the least largest |q'_j|. Every one but the
+            third holds a share of 0.001 of squared rates: the motion is smooth where the objective leaves it open.
         criterion: of the integral.
         dt: s, with a :class:`TaskPath` and no times; a 300th of the duration when absent.
         limits: whether the arm's limits of position, velocity and acceleration hold, for the differences above.
@@ -201,8 +206,8 @@ def track_globally(
     if not 0.0 <= slack < 1.0:
         raise InputError(f"slack: {slack:g}; a share from 0 up to 1 is accepted")
     bound = np.full(arm.n, np.inf if most_rate is None else positive(most_rate, "most_rate"))
-    count = whole_number(count, "count", 0)
     given = None if q_start is None else _given(arm, q_start)
+    count = whole_number(count, "count", 0 if given is not None and given.shape[1] > 1 else 1)
     if isinstance(path, TaskPath):
         if task != "position" and path.turning is None and given is not None:
             path = path.holding(orientation_of(arm, given[0, 0], path.dimension))
@@ -321,7 +326,7 @@ class _Search:
     def run(self, given: Array, count: int, seed: int) -> None:
         """Solve from every start on the coarse mesh, and from the best of these at every sample."""
         try:
-            guesses = [local for local in given[:, self.mesh] if given.shape[1] > 1] if given.shape[1] > 1 else []
+            guesses = list(given[:, self.mesh]) if given.shape[1] > 1 else []
             if count:
                 guesses += list(_local(self.coarse, self.held[self.mesh], given[0, 0], count, seed))
             found = self._coarse(guesses)
@@ -371,8 +376,8 @@ class _Search:
             of_start.append(known[:1] or ([q] if said.solved else []))
         if not smooth:
             raise InputError(
-                f"{self.problem.arm.name}: none of {len(guesses)} starts leads to a path that holds every target within "
-                f"the limits (missed by {missed:.2g} at best); more starts, or another start posture, may"
+                f"{self.problem.arm.name}: none of {len(guesses)} starts leads to a path that holds every target "
+                f"within the limits (missed by {missed:.2g} at best); more starts, or another start posture, may"
             )
         self._guard(min(smooth, key=self.coarse.squared_rates))
         for start, guess in zip(of_start, guesses, strict=True):
@@ -458,7 +463,8 @@ class _Search:
         ranks = np.array([self._rank(value) for value in self.values])
         top = np.nanmin(ranks)
         agreed = int((ranks <= top + SAME * abs(top)).sum())
-        text = self._text(best, agreed)
+        ceiling = self._ceiling(best)
+        text = self._text(best, agreed, ceiling)
         run = measured(
             problem.arm,
             problem.task,
@@ -483,20 +489,34 @@ class _Search:
             self.values,
             agreed,
             self.bound,
+            ceiling,
             None if path is None else _between(problem, best.q, path),
             self.interrupted,
             text,
         )
 
-    def _text(self, best: _Found, agreed: int) -> str:
+    def _ceiling(self, best: _Found) -> float | None:
+        """The largest w met at the target where the path has its least."""
+        if self.objective != "max min w":
+            return None
+        arm, task, first = self.problem.arm, self.problem.task, int(self.problem.fixed)
+        _, w = self.problem.evaluate(best.q)
+        try:
+            posture = beginnings.best(arm, task, self.held[first + int(np.argmin(w[first:]))])
+        except InputError:  # none was met at all
+            return best.value
+        return max(best.value, float(arm.manipulability(posture, task=task)))
+
+    def _text(self, best: _Found, agreed: int, ceiling: float | None) -> str:
         if self.interrupted or not best.solutions:
             how = "interrupted" if self.interrupted else "IPOPT did not solve it at every sample"
             return f"{self.objective}: {best.value:.6g}; {how}: a path that holds the targets, not an optimum"
         worst = max(each.stationarity for each in best.solutions)
+        above = "" if ceiling is None else f"; at its target of least w postures with w up to {ceiling:.6g} were met"
         return (
             f"{self.objective}: {best.value:.6g}, a local optimum of first order (IPOPT: {best.solutions[0].status}, "
             f"residual {worst:.1g}); {agreed} of {len(self.values)} starts came as far, which is no proof that none "
-            "goes farther"
+            f"goes farther{above}"
         )
 
 

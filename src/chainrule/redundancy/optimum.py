@@ -172,10 +172,10 @@ def solve(problem: Problem, aim: Aim, start: Array) -> tuple[Array, Optimality]:
     own = slice(int(problem.fixed), k - (problem.turns is not None))  # samples with a posture of their own
     count = own.stop - own.start
     x = ca.MX.sym("x", n, count)
-    columns = [ca.DM(start[0]), x] if problem.fixed else [x]
+    columns: list[Any] = [ca.DM(start[0]), x] if problem.fixed else [x]
     if problem.turns is not None:
         columns.append(columns[0][:, 0] + ca.DM(problem.turns))
-    q = ca.horzcat(*columns)
+    q: Any = ca.horzcat(*columns)
     moved = q[:, 1:] - q[:, :-1]
     error, w = problem.function.map(count)(x, ca.DM(problem.held[own]).T)
     rows = _Rows()
@@ -266,7 +266,7 @@ def _ipopt(
     import casadi as ca
 
     g, low, high = ca.vertcat(*rows.g), np.concatenate(rows.lower), np.concatenate(rows.upper)
-    options = {
+    options: dict[str, Any] = {
         "print_time": False,
         "show_eval_warnings": False,
         "ipopt.print_level": 0,
