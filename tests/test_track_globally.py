@@ -296,7 +296,7 @@ START = [0.4, 1.0, -1.5]
         ({"t": [0.0, 0.5, 0.4]}, "t: shape (3,); three or more rising times"),
         ({"path": np.zeros((3, 2))}, "t: targets in samples come with their times"),
         ({"path": np.zeros((3, 2)), "t": [0.0, 1.0, 2.0, 3.0], "dt": None}, "path: shape (3, 2); (4, 2), a target"),
-        ({"path": cr.TaskPath.line((1.5, 0.0), (2.0, 0.0), duration=1.0), "q_start": None}, "none of 8 starts leads"),
+        ({"path": cr.TaskPath.line((1.5, 0.0), (2.0, 0.0), duration=1.0), "q_start": None}, "none of 12 starts leads"),
     ],
 )
 def test_what_is_not_accepted_is_said(arm: cr.Arm, line: cr.TaskPath, change: Any, message: str) -> None:

@@ -48,7 +48,7 @@ TRIED = 3
 MISSED = 1e-6
 #: Shares of the way uphill of the local starts in one coarse step, and the push of the others along the self-motion
 #: over the whole path (rad or m).
-UPHILL, PUSH = (0.0, 0.01, 0.05), 2.0
+UPHILL, PUSH = (0.0, 0.01, 0.05), 4.0
 #: Corrections of a posture of a local start, and the largest change of a joint in one (rad or m).
 CORRECTIONS, STRIDE = 4, 0.3
 
@@ -150,7 +150,7 @@ def track_globally(
     fixed_start: bool = True,
     slack: float = 1e-3,
     most_rate: float | None = None,
-    count: int = 8,
+    count: int = 12,
     seed: int = 0,
     gravity: Any = None,
     wrench: Any = None,
@@ -330,7 +330,7 @@ class _Search:
             if count:
                 guesses += list(_local(self.coarse, self.held[self.mesh], given[0, 0], count, seed))
             found = self._coarse(guesses)
-            self._fine(sorted(found, key=lambda one: self._rank(one.value)))
+            self._fine(self._calmed(sorted(found, key=lambda one: self._rank(one.value))))
         except KeyboardInterrupt:
             self.interrupted = True
             if self.best is None:
@@ -411,6 +411,30 @@ class _Search:
     def _aim(self, warm: bool = False) -> Aim:
         return Aim(self.objective, self.criterion, 0.0, self.bound, warm)
 
+    def _calmed(self, ranked: list[_Found]) -> list[_Found]:
+        """Of paths with a least w as large, the one that can be run with the least peak rate first."""
+        if self.objective != "max min w" or self.slack == 0.0:
+            return ranked
+        kept: list[_Found] = []
+        for one in ranked:
+            as_good = one.value >= (1.0 - SAME) * ranked[0].value
+            if as_good and len(kept) < TRIED and all(np.abs(one.q - other.q).max() > CLOSE for other in kept):
+                kept.append(one)
+        if len(kept) < 2:
+            return ranked
+        peaks = []
+        for one in kept:
+            self.progress(f"least peak rate with w as large, {len(self.mesh)} samples")
+            calm, said = self._calm(self.coarse, one)
+            peaks.append(float(np.abs(self.coarse.rates(calm)).max()) if said.solved else np.inf)
+        order = [kept[k] for k in np.argsort(peaks, kind="stable")]
+        return order + [one for one in ranked if not any(one is other for other in order)]
+
+    def _calm(self, problem: Problem, one: _Found) -> tuple[Array, Optimality]:
+        """The least peak rate near a path, for a least w but for the slack as large."""
+        floor = (1.0 - self.slack) * one.value
+        return solve(self._turned(problem, one.q), Aim("peak rate", self.criterion, floor, self.bound, True), one.q)
+
     def _fine(self, ranked: list[_Found]) -> None:
         """The best coarse path at every sample; the next ones where it cannot be solved there."""
         problem, tried = self.problem, 0
@@ -432,8 +456,7 @@ class _Search:
             self.best = _Found(found, self._value(problem, found), (said,))
             if self.objective == "max min w" and self.slack > 0.0:
                 self.progress(f"least peak rate with w as large, {len(q)} samples")
-                floor = (1.0 - self.slack) * self.best.value
-                calm, more = solve(turned, Aim("peak rate", self.criterion, floor, self.bound, True), found)
+                calm, more = self._calm(problem, self.best)
                 if more.solved and np.abs(problem.rates(calm)).max() < np.abs(problem.rates(found)).max():
                     self.best = _Found(calm, self._value(problem, calm), (said, more))
             return
