@@ -23,6 +23,7 @@ from chainrule.derive import (
     planar,
     planar_3r,
     planar_motion,
+    redundancy,
     regional_3r,
     regional_postures,
     rest_to_rest,
@@ -51,6 +52,11 @@ STANDING: dict[Model, tuple[str, ...]] = {
     REGIONAL_3R: ("cuspidality",),
     **{planar_model("".join(kinds)): ("kinematics", "motion", "speed_ratio") for kinds in product("RP", repeat=3)},
 }
+
+#: Groups that are made on first use, although they belong to embedded arms: what the name of a group begins with.
+#: Those that are generated all the same, by model.
+FIRST_USE = ("redundancy", "priority")
+SHIPPED: dict[str, tuple[str, ...]] = dict.fromkeys(("panda", "sanchez_8r"), ("redundancy_pose",))
 
 #: Models with results in closed form: ``minors(arm)`` of the position Jacobian, perhaps ``survey(arm)`` and the like.
 CLOSED_FORMS: dict[str, ModuleType] = {"planar_rrr": planar_3r, "orthogonal_3r": orthogonal_3r}
@@ -193,6 +199,18 @@ def curve(model: Model, group: str) -> Curve | None:
     return Curve(task, model.kinds, bool(model.parameter_names), positions, int(task != "x_alpha"), spatial)
 
 
+def redundancy_step(subject: Subject, task: str) -> Program | None:
+    """The step along a task."""
+    own = Subject(subject.model, task)
+    return redundancy.step(own.family, own.arm, task, own.weights)
+
+
+def priority_step(subject: Subject, task: str) -> Program | None:
+    """The step along a task, with a secondary task."""
+    own = Subject(subject.model, task)
+    return redundancy.priority(own.family, own.arm, task, own.weights, own.spare)
+
+
 def sweep(subject: Subject, make: Callable[[regional_3r.Arm], Program]) -> Program | None:
     """What sweeping a joint of a redundant arm takes: of the general 3R arm only."""
     return make(subject.regional) if subject.family is regional_3r else None
@@ -244,6 +262,11 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: orthogonal_designs.sides_of_surfaces() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.exact_sides() if s.closed is orthogonal_3r else None),
     *(Entry("cuspidality", partial(sweep, make=make)) for make in self_motion_sweep.EVERY),
+    *(
+        Entry(f"{kind}_{task}", partial(make, task=task))
+        for kind, make in (("redundancy", redundancy_step), ("priority", priority_step))
+        for task in ("position", "x_alpha", "pose")
+    ),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -256,6 +279,22 @@ def groups(model: Model) -> tuple[str, ...]:
     if not tasks:
         return extras(model)
     return ("kinematics", *(task for task, rows in tasks.items() if rows <= len(model.kinds)), *extras(model))
+
+
+def first_use(model: Model) -> tuple[str, ...]:
+    """The groups of a model that are made on first use: for the :data:`SHIPPED` ones that has been done.
+
+    For each task with no more rows than joints ``redundancy_<task>`` (the step along it), and where joints are to
+    spare ``priority_<task>`` (with a secondary task).
+    """
+    n, tasks = len(model.kinds), FAMILIES[model.family][1]
+    steps = (f"redundancy_{task}" for task, rows in tasks.items() if rows <= n)
+    return (*steps, *(f"priority_{task}" for task, rows in tasks.items() if rows < n))
+
+
+def generated(model: Model) -> tuple[str, ...]:
+    """The groups of an embedded arm's model in ``generated/``."""
+    return (*groups(model), *SHIPPED.get(model.name, ()))
 
 
 def extras(model: Model) -> tuple[str, ...]:
@@ -279,6 +318,9 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     family, tasks = FAMILIES[model.family]
     if group in continuations(model):
         return (family, self_motion)
+    if group in first_use(model):
+        closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
+        return (family, *closed, redundancy)
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
         known: dict[str, tuple[ModuleType, ...]] = {

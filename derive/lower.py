@@ -184,8 +184,10 @@ def _sx(e: Any, values: dict[Any, Any]) -> Any:
             found = _PAIRS[name](found, _sx(argument, values))
         return found
     if isinstance(e, GuardedInverse):
+        # One choice, of 1 or 0: CasADi would carry a choice of 1/x or 0 into every product with it.
         x = _sx(e.args[0], values)
-        return _where(x, 1 / x)
+        there = x != 0
+        return 1 / (x + (1 - there)) * there
     if isinstance(e, Where):
         return _where(_sx(e.args[0], values), _sx(e.args[1], values))
     raise GenerationError(f"a step may not contain {name}: {e}")
@@ -265,26 +267,32 @@ def _instructions(f: Any, numbering: _Numbering) -> list[list[Operand]]:
     work: dict[int, Any] = {}
     dense = [f.sparsity_out(i).find() for i in range(f.n_out())]
     outputs: list[list[Operand]] = [[0.0] * f.numel_out(i) for i in range(f.n_out())]
+
+    def operand(place: int) -> Operand:
+        """A value; what is true counts 1, what is false 0."""
+        found = work[place]
+        return _where_nonzero(numbering, found, 1.0) if isinstance(found, tuple) else found
+
     for k in range(f.n_instructions()):
         op, target, source = f.instruction_id(k), f.instruction_output(k), f.instruction_input(k)
         if op == ca.OP_OUTPUT:
-            outputs[target[0]][dense[target[0]][target[1]]] = work[source[0]]
+            outputs[target[0]][dense[target[0]][target[1]]] = operand(source[0])
         elif op == ca.OP_INPUT:
             work[target[0]] = numbering.add("input", source[0], source[1])
         elif op == ca.OP_CONST:
             work[target[0]] = float(f.instruction_constant(k))
         elif op == ca.OP_NE:
-            work[target[0]] = ("nonzero", work[source[0]], work[source[1]])
+            work[target[0]] = ("nonzero", operand(source[0]), operand(source[1]))
         elif op == ca.OP_IF_ELSE_ZERO:
-            work[target[0]] = _where_nonzero(numbering, work[source[0]], work[source[1]])
+            work[target[0]] = _where_nonzero(numbering, work[source[0]], operand(source[1]))
         elif op in _UNARY:
-            work[target[0]] = numbering.add(_UNARY[op], work[source[0]])
+            work[target[0]] = numbering.add(_UNARY[op], operand(source[0]))
         elif op == ca.OP_SQ:
-            work[target[0]] = numbering.add("mul", work[source[0]], work[source[0]])
+            work[target[0]] = numbering.add("mul", operand(source[0]), operand(source[0]))
         elif op == ca.OP_TWICE:
-            work[target[0]] = numbering.add("add", work[source[0]], work[source[0]])
+            work[target[0]] = numbering.add("add", operand(source[0]), operand(source[0]))
         elif op in _BINARY:
-            work[target[0]] = numbering.add(_BINARY[op], *(work[s] for s in source))
+            work[target[0]] = numbering.add(_BINARY[op], *(operand(s) for s in source))
         else:
             raise GenerationError(f"CasADi instruction {op} has no counterpart in the generated languages")
     return outputs

@@ -10,6 +10,7 @@ spatial ones half the skew part of E = R R_target^T as a vector, sin(angle) time
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from types import ModuleType
 from typing import Any
 
@@ -35,40 +36,67 @@ def _null_vector(steps: Steps, family: ModuleType, arm: Any, task: str) -> list[
     return [steps.let(f"n{j}", entry) for j, entry in enumerate(null_vector_from_minors(minors), 1)]
 
 
-def _planar(steps: Steps, arm: planar.PlanarChain, task: str, target: Input) -> tuple[list[Expression], Output]:
+@dataclass(frozen=True)
+class Apart:
+    """How far the tip is from its target.
+
+    Attributes:
+        lengths: the errors that are lengths, which come first.
+        turn: sin(angle) of a planar orientation, or sin(angle) times the axis of a spatial one; empty without.
+        cosine: cos(angle); 1 without an orientation.
+        jacobian: the task Jacobian.
+    """
+
+    lengths: list[Expression]
+    turn: list[Expression]
+    cosine: Expression
+    jacobian: Output
+
+
+def apart(steps: Steps, family: ModuleType, arm: Any, task: str, target: Input) -> Apart:
+    """The tip and its target (of :func:`target_input`), with the task Jacobian."""
+    return (_planar if family is planar else _spatial)(steps, arm, task, target)
+
+
+def _planar(steps: Steps, arm: planar.PlanarChain, task: str, target: Input) -> Apart:
     place = planar.layout(steps, arm)
     wanted = target.symbols
     rows = dict(zip({"position": "xy", "x_alpha": "xa", "pose": "xya"}[task], wanted, strict=True))
-    errors = [place.tip["xy".index(row)] - rows[row] for row in "xy" if row in rows]
+    lengths = [place.tip["xy".index(row)] - rows[row] for row in "xy" if row in rows]
+    turn, cosine = [], sp.Integer(1)
     if "a" in rows:
         (c, s), alpha = place.headings[-1], rows["a"]
         c0, s0 = steps.let("cos_target", sp.cos(alpha)), steps.let("sin_target", sp.sin(alpha))
-        errors.append(sp.atan2(steps.let("sin_apart", s * c0 - c * s0), steps.let("cos_apart", c * c0 + s * s0)))
-    return errors, planar.jacobian_of(steps, arm, place, task)
+        turn, cosine = [steps.let("sin_apart", s * c0 - c * s0)], steps.let("cos_apart", c * c0 + s * s0)
+    return Apart(lengths, turn, cosine, planar.jacobian_of(steps, arm, place, task))
 
 
-def _spatial(steps: Steps, arm: chain.Chain, task: str, target: Input) -> tuple[list[Expression], Output]:
+def _spatial(steps: Steps, arm: chain.Chain, task: str, target: Input) -> Apart:
     frames = chain.frames_from_base(steps, arm)
     wanted = target.symbols
     if task == "position":
-        errors = [a - b for a, b in zip(frames.tip.p, wanted, strict=True)]
+        lengths, turn, cosine = [a - b for a, b in zip(frames.tip.p, wanted, strict=True)], [], sp.Integer(1)
     else:
         columns = (frames.tip.x, frames.tip.y, frames.tip.z)
-        apart = [
+        relative = [
             [sum(columns[k][i] * wanted[4 * j + k] for k in range(3)) for j in range(3)]  # R R_target^T
             for i in range(3)
         ]
-        errors = [a - wanted[4 * i + 3] for i, a in enumerate(frames.tip.p)]
-        errors += [
-            steps.let(f"turn{i + 1}", (apart[k][j] - apart[j][k]) / 2) for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
+        lengths = [a - wanted[4 * i + 3] for i, a in enumerate(frames.tip.p)]
+        turn = [
+            steps.let(f"turn{i + 1}", (relative[k][j] - relative[j][k]) / 2)
+            for i, j, k in ((0, 1, 2), (1, 2, 0), (2, 0, 1))
         ]
-    return errors, chain.jacobian_output(steps, arm, frames, task)
+        cosine = (relative[0][0] + relative[1][1] + relative[2][2] - 1) / 2
+    return Apart(lengths, turn, cosine, chain.jacobian_output(steps, arm, frames, task))
 
 
 def held(family: ModuleType, arm: Any, task: str) -> Program:
     """How far the tip is from its target, the task Jacobian and the null vector, in one evaluation."""
     steps, target = Steps(), target_input(family, task)
-    errors, jacobian = (_planar if family is planar else _spatial)(steps, arm, task, target)
+    found = apart(steps, family, arm, task, target)
+    turn = [sp.atan2(found.turn[0], found.cosine)] if family is planar and found.turn else found.turn
+    errors = [*found.lengths, *turn]
     null = _null_vector(steps, family, arm, task)
     q, *parameters = arm.inputs
     return Program(
@@ -76,7 +104,11 @@ def held(family: ModuleType, arm: Any, task: str) -> Program:
         f"error of the {task}, its Jacobian, and the null vector from its signed minors",
         (q, target, *parameters),
         tuple(steps.steps),
-        (Output("error", (len(errors),), tuple(errors)), jacobian, Output("null_vector", (len(null),), tuple(null))),
+        (
+            Output("error", (len(errors),), tuple(errors)),
+            found.jacobian,
+            Output("null_vector", (len(null),), tuple(null)),
+        ),
     )
 
 

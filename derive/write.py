@@ -107,7 +107,7 @@ def planned(arms: Iterable[Description]) -> dict[str, tuple[Model, str]]:
         if known.digest != arm.model.digest:
             raise ValueError(f"two embedded arms share the identifier {arm.model.name} but differ in geometry")
     found = {f"{m.name}_{group}": (m, group) for m, groups in catalogue.STANDING.items() for group in groups}
-    return found | {f"{m.name}_{group}": (m, group) for m in models.values() for group in catalogue.groups(m)}
+    return found | {f"{m.name}_{group}": (m, group) for m in models.values() for group in catalogue.generated(m)}
 
 
 def headers(places: Places) -> dict[str, str]:

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd.
+Made from templates/kernel.py.j2; inputs 36eccbcd5a09575fa78c53e541077eaf44f646b99872fcf471ca7d9a2330bfc4.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

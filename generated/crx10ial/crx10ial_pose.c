@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
+ * Made from templates/kernel.c.j2; inputs aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65";
+const char crx10ial_pose_digest[] = "aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* crx10ial_pose.h: manipulability (pose) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
+ * Made from templates/kernel.h.j2; inputs aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

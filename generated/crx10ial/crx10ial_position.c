@@ -1,6 +1,6 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
- * 1276 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579.
+ * 1041 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65";
+const char crx10ial_position_digest[] = "aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
- * 1276 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579.
+ * 1041 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void crx10ial_minors_position_batchf(ptrdiff_t count, char *const *args, const p
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   601 operations */
+ *   366 operations */
 void crx10ial_null_projector_position(const double *q, double *null_projector);
 void crx10ial_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void crx10ial_null_projector_positionf(const float *q, float *null_projector);

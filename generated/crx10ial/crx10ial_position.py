@@ -1,7 +1,7 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
-1276 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579.
+1041 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -337,7 +337,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 601 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 366 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -376,158 +376,150 @@ def null_projector_position(q):
     t13 = t9 - t8
     t14 = t1 * t7 + c4 * t13
     t15 = np.sqrt((t12 + t14 * t14))
-    t16 = np.where(t15 != 0.0, t2 / t15, 0.0)
-    t17 = t9 / t15
-    t18 = np.where(t15 != 0.0, t10 / t15, 0.0)
-    t19 = t16 * t16 + np.where(t15 != 0.0, np.where(t15 != 0.0, t17 * t17, 0.0), 0.0) + t18 * t18
-    t20 = t11 / t15
-    t21 = t14 / t15
-    t22 = t19 + np.where(t15 != 0.0, np.where(t15 != 0.0, t20 * t20, 0.0), 0.0) + np.where(t15 != 0.0, np.where(t15 != 0.0, t21 * t21, 0.0), 0.0)
-    t23 = np.sqrt(t22)
-    t24 = t16 / t23
-    t25 = 0.71 * s2
-    t26 = t25 + 0.54 * t6
-    t27 = s4 * t4
-    t28 = 0.16 * (t6 * c5 + s5 * (c4 * t4))
-    t29 = t26 + 0.15 * t27 + t28
-    t30 = t20 / t23
-    t31 = t4 * (t29 - t26) + t6 * (t9 - t5)
-    t32 = np.where(t23 != 0.0, -(t24 * t29), 0.0) + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t30 * t31), 0.0), 0.0)
-    t33 = t21 / t23
-    t34 = t7 * t28 - t13 * t27
-    t35 = t32 + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t34), 0.0), 0.0)
-    t36 = t29 - np.where(t23 != 0.0, -(t24 * t35), 0.0)
-    t37 = t17 / t23
-    t38 = np.where(t15 != 0.0, np.where(t23 != 0.0, t35 * t37, 0.0), 0.0)
-    t39 = t18 / t23
-    t40 = np.where(t23 != 0.0, -(t35 * t39), 0.0)
-    t41 = t31 - np.where(t15 != 0.0, np.where(t23 != 0.0, -(t30 * t35), 0.0), 0.0)
-    t42 = t36 * t36 + t38 * t38 + t40 * t40 + t41 * t41
-    t43 = t34 - np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t35), 0.0), 0.0)
-    t44 = np.sqrt((t42 + t43 * t43))
-    t45 = t36 / t44
-    t46 = t38 / t44
-    t47 = np.where(t23 != 0.0, -(t24 * t45), 0.0) + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t37 * t46), 0.0), 0.0)
-    t48 = t40 / t44
-    t49 = t41 / t44
-    t50 = t47 + np.where(t23 != 0.0, t39 * t48, 0.0) + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t30 * t49), 0.0), 0.0)
-    t51 = t43 / t44
-    t52 = t50 + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t51), 0.0), 0.0)
-    t53 = np.where(t44 != 0.0, t45, 0.0) - np.where(t23 != 0.0, np.where(t44 != 0.0, -(t24 * t52), 0.0), 0.0)
-    t54 = np.where(t44 != 0.0, -t46, 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t44 != 0.0, t37 * t52, 0.0), 0.0), 0.0)
-    t55 = np.where(t44 != 0.0, -t48, 0.0) - np.where(t23 != 0.0, np.where(t44 != 0.0, -(t39 * t52), 0.0), 0.0)
-    t56 = np.where(t44 != 0.0, t49, 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t44 != 0.0, -(t30 * t52), 0.0), 0.0), 0.0)
-    t57 = t53 * t53 + t54 * t54 + t55 * t55 + t56 * t56
-    t58 = np.where(t44 != 0.0, t51, 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t44 != 0.0, -(t33 * t52), 0.0), 0.0), 0.0)
-    t59 = np.sqrt((t57 + t58 * t58))
-    t60 = t53 / t59
-    t61 = 1 - np.where(t23 != 0.0, np.where(t23 != 0.0, t24 * t24, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t60, 0.0), 0.0)
-    t62 = t29 - t25
-    t63 = t2 * t6
-    t64 = np.where(t23 != 0.0, -(t39 * t62), 0.0) + np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t63, 0.0), 0.0)
-    t65 = c4 * t28 + t1 * t27
-    t66 = t64 + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t65), 0.0), 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, t29 * t37, 0.0), 0.0)
-    t67 = t24 * t66
-    t68 = t62 - np.where(t23 != 0.0, -(t39 * t66), 0.0)
-    t69 = t55 / t59
-    t70 = t29 + np.where(t15 != 0.0, np.where(t23 != 0.0, t37 * t66, 0.0), 0.0)
-    t71 = t54 / t59
-    t72 = t68 * t69 - (np.where(t23 != 0.0, -(t60 * t67), 0.0) + t70 * t71)
-    t73 = t63 + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t30 * t66), 0.0), 0.0)
-    t74 = t56 / t59
-    t75 = t65 - np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t66), 0.0), 0.0)
-    t76 = t58 / t59
-    t77 = t72 - t73 * t74 + t75 * t76
-    t78 = np.where(t23 != 0.0, -t67, 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t77, 0.0), 0.0)
-    t79 = t70 + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t77, 0.0), 0.0)
-    t80 = t68 - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t77, 0.0), 0.0)
-    t81 = t73 + np.where(t59 != 0.0, np.where(t59 != 0.0, t74 * t77, 0.0), 0.0)
-    t82 = t78 * t78 + t79 * t79 + t80 * t80 + t81 * t81
-    t83 = t75 - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t77, 0.0), 0.0)
-    t84 = np.sqrt((t82 + t83 * t83))
-    t85 = t78 / t84
-    t86 = t79 / t84
-    t87 = np.where(t23 != 0.0, t24 * t85, 0.0) + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t37 * t86), 0.0), 0.0)
-    t88 = t80 / t84
-    t89 = t81 / t84
-    t90 = t87 + np.where(t23 != 0.0, -(t39 * t88), 0.0) + np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t89, 0.0), 0.0)
-    t91 = t83 / t84
-    t92 = t90 + np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t91), 0.0), 0.0)
-    t93 = np.where(t84 != 0.0, -t85, 0.0) - np.where(t23 != 0.0, np.where(t84 != 0.0, -(t24 * t92), 0.0), 0.0)
-    t94 = np.where(t84 != 0.0, -t86, 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t84 != 0.0, t37 * t92, 0.0), 0.0), 0.0)
-    t95 = np.where(t84 != 0.0, t88, 0.0) - np.where(t23 != 0.0, np.where(t84 != 0.0, -(t39 * t92), 0.0), 0.0)
-    t96 = np.where(t84 != 0.0, -t89, 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t84 != 0.0, -(t30 * t92), 0.0), 0.0), 0.0)
-    t97 = t60 * t93 + t71 * t94 + t69 * t95 + t74 * t96
-    t98 = np.where(t84 != 0.0, t91, 0.0) - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t84 != 0.0, -(t33 * t92), 0.0), 0.0), 0.0)
-    t99 = t97 + t76 * t98
-    t100 = t93 - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t99, 0.0), 0.0)
-    t101 = t94 - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t99, 0.0), 0.0)
-    t102 = t95 - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t99, 0.0), 0.0)
-    t103 = t96 - np.where(t59 != 0.0, np.where(t59 != 0.0, t74 * t99, 0.0), 0.0)
-    t104 = t100 * t100 + t101 * t101 + t102 * t102 + t103 * t103
-    t105 = t98 - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t99, 0.0), 0.0)
-    t106 = np.sqrt((t104 + t105 * t105))
-    t107 = t100 / t106
-    t108 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, -(t24 * t37), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t71, 0.0), 0.0)
-    t109 = t101 / t106
-    t110 = -(t108 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t109, 0.0), 0.0))
-    t111 = np.where(t23 != 0.0, np.where(t23 != 0.0, t24 * t39, 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t69, 0.0), 0.0)
-    t112 = t102 / t106
-    t113 = -(t111 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t112, 0.0), 0.0))
-    t114 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, t24 * t30, 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t74, 0.0), 0.0)
-    t115 = t103 / t106
-    t116 = -(t114 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t115, 0.0), 0.0))
-    t117 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, t24 * t33, 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t76, 0.0), 0.0)
-    t118 = t105 / t106
-    t119 = -(t117 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t118, 0.0), 0.0))
-    t120 = 1 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t71, 0.0), 0.0)
-    t121 = np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, -(t37 * t39), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t71, 0.0), 0.0)
-    t122 = -(t121 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t112, 0.0), 0.0))
-    t123 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, -(t30 * t37), 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t74, 0.0), 0.0)
-    t124 = -(t123 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t115, 0.0), 0.0))
-    t125 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, -(t33 * t37), 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t76, 0.0), 0.0)
-    t126 = -(t125 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t118, 0.0), 0.0))
-    t127 = 1 - np.where(t23 != 0.0, np.where(t23 != 0.0, t39 * t39, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t69, 0.0), 0.0)
-    t128 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, t30 * t39, 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t74, 0.0), 0.0)
-    t129 = -(t128 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t115, 0.0), 0.0))
-    t130 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t23 != 0.0, t33 * t39, 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t76, 0.0), 0.0)
-    t131 = -(t130 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t118, 0.0), 0.0))
-    t132 = 1 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t30, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t74 * t74, 0.0), 0.0)
-    t133 = np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t30 * t33, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t74 * t76, 0.0), 0.0)
-    t134 = -(t133 + np.where(t106 != 0.0, np.where(t106 != 0.0, t115 * t118, 0.0), 0.0))
-    t135 = 1 - np.where(t15 != 0.0, np.where(t23 != 0.0, np.where(t15 != 0.0, np.where(t23 != 0.0, t33 * t33, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
+    t16 = np.where(t15 != 0.0, 1, 0.0)
+    t17 = t16 / (t15 + (1 - t16))
+    t18 = t2 * t17
+    t19 = t9 * t17
+    t20 = t10 * t17
+    t21 = t11 * t17
+    t22 = t18 * t18 + t19 * t19 + t20 * t20 + t21 * t21
+    t23 = t14 * t17
+    t24 = np.sqrt((t22 + t23 * t23))
+    t25 = np.where(t24 != 0.0, 1, 0.0)
+    t26 = t25 / (t24 + (1 - t25))
+    t27 = t18 * t26
+    t28 = 0.71 * s2
+    t29 = t28 + 0.54 * t6
+    t30 = s4 * t4
+    t31 = 0.16 * (t6 * c5 + s5 * (c4 * t4))
+    t32 = t29 + 0.15 * t30 + t31
+    t33 = t21 * t26
+    t34 = t4 * (t32 - t29) + t6 * (t9 - t5)
+    t35 = t23 * t26
+    t36 = t7 * t31 - t13 * t30
+    t37 = t27 * t32 + t33 * t34 + t35 * t36
+    t38 = t32 - t27 * t37
+    t39 = t19 * t26
+    t40 = t37 * t39
+    t41 = t20 * t26
+    t42 = t37 * t41
+    t43 = t34 - t33 * t37
+    t44 = t38 * t38 + t40 * t40 + t42 * t42 + t43 * t43
+    t45 = t36 - t35 * t37
+    t46 = np.sqrt((t44 + t45 * t45))
+    t47 = np.where(t46 != 0.0, 1, 0.0)
+    t48 = t47 / (t46 + (1 - t47))
+    t49 = t38 * t48
+    t50 = t40 * t48
+    t51 = t42 * t48
+    t52 = t43 * t48
+    t53 = t39 * t50 - t27 * t49 + t41 * t51 - t33 * t52
+    t54 = t45 * t48
+    t55 = t53 - t35 * t54
+    t56 = t49 + t27 * t55
+    t57 = t50 - t39 * t55
+    t58 = t41 * t55 - t51
+    t59 = t52 + t33 * t55
+    t60 = t56 * t56 + t57 * t57 + t58 * t58 + t59 * t59
+    t61 = t54 + t35 * t55
+    t62 = np.sqrt((t60 + t61 * t61))
+    t63 = np.where(t62 != 0.0, 1, 0.0)
+    t64 = t63 / (t62 + (1 - t63))
+    t65 = t56 * t64
+    t66 = t2 * t6
+    t67 = t32 - t28
+    t68 = c4 * t31 + t1 * t30
+    t69 = t33 * t66 - t41 * t67 - t35 * t68 - t32 * t39
+    t70 = t27 * t69
+    t71 = t32 + t39 * t69
+    t72 = t57 * t64
+    t73 = t67 + t41 * t69
+    t74 = t58 * t64
+    t75 = t33 * t69 - t66
+    t76 = t59 * t64
+    t77 = t65 * t70 - t71 * t72 + t73 * t74 + t75 * t76
+    t78 = t68 + t35 * t69
+    t79 = t61 * t64
+    t80 = t77 + t78 * t79
+    t81 = t70 - t65 * t80
+    t82 = t71 + t72 * t80
+    t83 = t73 - t74 * t80
+    t84 = t75 - t76 * t80
+    t85 = t81 * t81 + t82 * t82 + t83 * t83 + t84 * t84
+    t86 = t78 - t79 * t80
+    t87 = np.sqrt((t85 + t86 * t86))
+    t88 = np.where(t87 != 0.0, 1, 0.0)
+    t89 = t88 / (t87 + (1 - t88))
+    t90 = t81 * t89
+    t91 = t82 * t89
+    t92 = t83 * t89
+    t93 = t84 * t89
+    t94 = t27 * t90 + t39 * t91 + t41 * t92 + t33 * t93
+    t95 = t86 * t89
+    t96 = t94 + t35 * t95
+    t97 = t90 - t27 * t96
+    t98 = t39 * t96 - t91
+    t99 = t92 - t41 * t96
+    t100 = t93 - t33 * t96
+    t101 = t65 * t97 + t72 * t98 + t74 * t99 + t76 * t100
+    t102 = t95 - t35 * t96
+    t103 = t101 + t79 * t102
+    t104 = t97 - t65 * t103
+    t105 = t98 - t72 * t103
+    t106 = t99 - t74 * t103
+    t107 = t100 - t76 * t103
+    t108 = t104 * t104 + t105 * t105 + t106 * t106 + t107 * t107
+    t109 = t102 - t79 * t103
+    t110 = np.sqrt((t108 + t109 * t109))
+    t111 = np.where(t110 != 0.0, 1, 0.0)
+    t112 = t111 / (t110 + (1 - t111))
+    t113 = t104 * t112
+    t114 = t105 * t112
+    t115 = t27 * t39 - t65 * t72 - t113 * t114
+    t116 = t106 * t112
+    t117 = -(t27 * t41 + t65 * t74 + t113 * t116)
+    t118 = t107 * t112
+    t119 = -(t27 * t33 + t65 * t76 + t113 * t118)
+    t120 = t109 * t112
+    t121 = -(t27 * t35 + t65 * t79 + t113 * t120)
+    t122 = t39 * t41 - t72 * t74 - t114 * t116
+    t123 = t33 * t39 - t72 * t76 - t114 * t118
+    t124 = t35 * t39 - t72 * t79 - t114 * t120
+    t125 = -(t33 * t41 + t74 * t76 + t116 * t118)
+    t126 = -(t35 * t41 + t74 * t79 + t116 * t120)
+    t127 = -(t33 * t35 + t76 * t79 + t118 * t120)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = t61 - np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t107, 0.0), 0.0)
-    null_projector[..., 1] = t110
-    null_projector[..., 2] = t113
-    null_projector[..., 3] = t116
-    null_projector[..., 4] = t119
+    null_projector[..., 0] = 1 - t27 * t27 - t65 * t65 - t113 * t113
+    null_projector[..., 1] = t115
+    null_projector[..., 2] = t117
+    null_projector[..., 3] = t119
+    null_projector[..., 4] = t121
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t110
-    null_projector[..., 7] = t120 - np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t109, 0.0), 0.0)
+    null_projector[..., 6] = t115
+    null_projector[..., 7] = 1 - t39 * t39 - t72 * t72 - t114 * t114
     null_projector[..., 8] = t122
-    null_projector[..., 9] = t124
-    null_projector[..., 10] = t126
+    null_projector[..., 9] = t123
+    null_projector[..., 10] = t124
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t113
+    null_projector[..., 12] = t117
     null_projector[..., 13] = t122
-    null_projector[..., 14] = t127 - np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t112, 0.0), 0.0)
-    null_projector[..., 15] = t129
-    null_projector[..., 16] = t131
+    null_projector[..., 14] = 1 - t41 * t41 - t74 * t74 - t116 * t116
+    null_projector[..., 15] = t125
+    null_projector[..., 16] = t126
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t116
-    null_projector[..., 19] = t124
-    null_projector[..., 20] = t129
-    null_projector[..., 21] = t132 - np.where(t106 != 0.0, np.where(t106 != 0.0, t115 * t115, 0.0), 0.0)
-    null_projector[..., 22] = t134
+    null_projector[..., 18] = t119
+    null_projector[..., 19] = t123
+    null_projector[..., 20] = t125
+    null_projector[..., 21] = 1 - t33 * t33 - t76 * t76 - t118 * t118
+    null_projector[..., 22] = t127
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t119
-    null_projector[..., 25] = t126
-    null_projector[..., 26] = t131
-    null_projector[..., 27] = t134
-    null_projector[..., 28] = t135 - np.where(t106 != 0.0, np.where(t106 != 0.0, t118 * t118, 0.0), 0.0)
+    null_projector[..., 24] = t121
+    null_projector[..., 25] = t124
+    null_projector[..., 26] = t126
+    null_projector[..., 27] = t127
+    null_projector[..., 28] = 1 - t35 * t35 - t79 * t79 - t120 * t120
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

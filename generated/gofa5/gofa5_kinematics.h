@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e.
+ * Made from templates/kernel.h.j2; inputs 1ad76df093a6ec1d77e02fdb1f32ddcb26b64549acb519d8cfdef0c3e13e4cdb.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

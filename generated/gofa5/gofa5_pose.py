@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1a25a8943ef0a9481b30a352a9668c4a41a66843cd491b4e8b643b3053f85654.
+Made from templates/kernel.py.j2; inputs 6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

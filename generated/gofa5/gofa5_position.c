@@ -1,6 +1,6 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 1a25a8943ef0a9481b30a352a9668c4a41a66843cd491b4e8b643b3053f85654.
- * 1337 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723.
+ * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "gofa5_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "1a25a8943ef0a9481b30a352a9668c4a41a66843cd491b4e8b643b3053f85654";
+const char gofa5_position_digest[] = "6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs 1a25a8943ef0a9481b30a352a9668c4a41a66843cd491b4e8b643b3053f85654.
- * 1337 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723.
+ * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void gofa5_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   608 operations */
+ *   373 operations */
 void gofa5_null_projector_position(const double *q, double *null_projector);
 void gofa5_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void gofa5_null_projector_positionf(const float *q, float *null_projector);

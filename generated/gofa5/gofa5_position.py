@@ -1,7 +1,7 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1a25a8943ef0a9481b30a352a9668c4a41a66843cd491b4e8b643b3053f85654.
-1337 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 6b34a3551defc591b384042168890e1fa6f45fa558a48a26734b83e2c58be723.
+1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -339,7 +339,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 608 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 373 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -377,159 +377,151 @@ def null_projector_position(q):
     t12 = s4 * t4
     t13 = c4 * t11 - t1 * t12
     t14 = np.sqrt((t10 + t13 * t13))
-    t15 = np.where(t14 != 0.0, t1 / t14, 0.0)
-    t16 = t7 / t14
-    t17 = t8 / t14
-    t18 = t15 * t15 + np.where(t14 != 0.0, np.where(t14 != 0.0, t16 * t16, 0.0), 0.0) + np.where(t14 != 0.0, np.where(t14 != 0.0, t17 * t17, 0.0), 0.0)
-    t19 = t9 / t14
-    t20 = t13 / t14
-    t21 = t18 + np.where(t14 != 0.0, np.where(t14 != 0.0, t19 * t19, 0.0), 0.0) + np.where(t14 != 0.0, np.where(t14 != 0.0, t20 * t20, 0.0), 0.0)
-    t22 = np.sqrt(t21)
-    t23 = t15 / t22
-    t24 = 0.444 * s2
-    t25 = t24 + 0.47 * t4 + 0.11 * t3
-    t26 = t3 * c4
-    t27 = t25 + 0.101 * (c5 * t4 - s5 * t26) + 0.08 * (c5 * t26 + s5 * t4)
-    t28 = t19 / t22
-    t29 = t27 - t25
-    t30 = t3 * t29 + t4 * t11
-    t31 = np.where(t22 != 0.0, -(t23 * t27), 0.0) + np.where(t14 != 0.0, np.where(t22 != 0.0, -(t28 * t30), 0.0), 0.0)
-    t32 = t20 / t22
+    t15 = np.where(t14 != 0.0, 1, 0.0)
+    t16 = t15 / (t14 + (1 - t15))
+    t17 = t1 * t16
+    t18 = t7 * t16
+    t19 = t8 * t16
+    t20 = t9 * t16
+    t21 = t17 * t17 + t18 * t18 + t19 * t19 + t20 * t20
+    t22 = t13 * t16
+    t23 = np.sqrt((t21 + t22 * t22))
+    t24 = np.where(t23 != 0.0, 1, 0.0)
+    t25 = t24 / (t23 + (1 - t24))
+    t26 = t17 * t25
+    t27 = 0.444 * s2
+    t28 = t27 + 0.47 * t4 + 0.11 * t3
+    t29 = t3 * c4
+    t30 = t28 + 0.101 * (c5 * t4 - s5 * t29) + 0.08 * (c5 * t29 + s5 * t4)
+    t31 = t22 * t25
+    t32 = t30 - t28
     t33 = s4 * t3
-    t34 = t12 * t29 - t11 * t33
-    t35 = t31 + np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t34, 0.0), 0.0)
-    t36 = t27 - np.where(t22 != 0.0, -(t23 * t35), 0.0)
-    t37 = t16 / t22
-    t38 = np.where(t14 != 0.0, np.where(t22 != 0.0, t35 * t37, 0.0), 0.0)
-    t39 = t17 / t22
-    t40 = np.where(t14 != 0.0, np.where(t22 != 0.0, t35 * t39, 0.0), 0.0)
-    t41 = t30 + np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t35, 0.0), 0.0)
-    t42 = t36 * t36 + t38 * t38 + t40 * t40 + t41 * t41
-    t43 = t34 - np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t35, 0.0), 0.0)
-    t44 = np.sqrt((t42 + t43 * t43))
-    t45 = t36 / t44
-    t46 = t38 / t44
-    t47 = np.where(t22 != 0.0, -(t23 * t45), 0.0) + np.where(t14 != 0.0, np.where(t22 != 0.0, -(t37 * t46), 0.0), 0.0)
-    t48 = t40 / t44
-    t49 = t41 / t44
-    t50 = t47 + np.where(t14 != 0.0, np.where(t22 != 0.0, -(t39 * t48), 0.0), 0.0) + np.where(t14 != 0.0, np.where(t22 != 0.0, -(t28 * t49), 0.0), 0.0)
-    t51 = t43 / t44
-    t52 = t50 + np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t51, 0.0), 0.0)
-    t53 = np.where(t44 != 0.0, t45, 0.0) - np.where(t22 != 0.0, np.where(t44 != 0.0, -(t23 * t52), 0.0), 0.0)
-    t54 = np.where(t44 != 0.0, -t46, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t44 != 0.0, t37 * t52, 0.0), 0.0), 0.0)
-    t55 = np.where(t44 != 0.0, -t48, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t44 != 0.0, t39 * t52, 0.0), 0.0), 0.0)
-    t56 = np.where(t44 != 0.0, -t49, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t44 != 0.0, t28 * t52, 0.0), 0.0), 0.0)
-    t57 = t53 * t53 + t54 * t54 + t55 * t55 + t56 * t56
-    t58 = np.where(t44 != 0.0, t51, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t44 != 0.0, t32 * t52, 0.0), 0.0), 0.0)
-    t59 = np.sqrt((t57 + t58 * t58))
-    t60 = t53 / t59
-    t61 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t23, 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t60, 0.0), 0.0)
-    t62 = t1 * t4
-    t63 = t1 * t33 - c4 * t29
-    t64 = np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t62 + t32 * t63, 0.0), 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, t27 * t37, 0.0), 0.0)
-    t65 = t27 - t24
-    t66 = t64 - np.where(t14 != 0.0, np.where(t22 != 0.0, t39 * t65, 0.0), 0.0)
-    t67 = t23 * t66
-    t68 = t62 - np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t66, 0.0), 0.0)
-    t69 = t56 / t59
-    t70 = t27 + np.where(t14 != 0.0, np.where(t22 != 0.0, t37 * t66, 0.0), 0.0)
-    t71 = t54 / t59
-    t72 = t65 + np.where(t14 != 0.0, np.where(t22 != 0.0, t39 * t66, 0.0), 0.0)
-    t73 = t55 / t59
-    t74 = np.where(t22 != 0.0, -(t60 * t67), 0.0) + t70 * t71 + t72 * t73
-    t75 = t63 - np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t66, 0.0), 0.0)
-    t76 = t58 / t59
-    t77 = t68 * t69 - t74 + t75 * t76
-    t78 = np.where(t22 != 0.0, -t67, 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t77, 0.0), 0.0)
-    t79 = t70 + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t77, 0.0), 0.0)
-    t80 = t72 + np.where(t59 != 0.0, np.where(t59 != 0.0, t73 * t77, 0.0), 0.0)
-    t81 = t68 - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t77, 0.0), 0.0)
-    t82 = t78 * t78 + t79 * t79 + t80 * t80 + t81 * t81
-    t83 = t75 - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t77, 0.0), 0.0)
-    t84 = np.sqrt((t82 + t83 * t83))
-    t85 = t78 / t84
-    t86 = t79 / t84
-    t87 = np.where(t22 != 0.0, t23 * t85, 0.0) + np.where(t14 != 0.0, np.where(t22 != 0.0, -(t37 * t86), 0.0), 0.0)
-    t88 = t80 / t84
-    t89 = t81 / t84
-    t90 = t87 + np.where(t14 != 0.0, np.where(t22 != 0.0, -(t39 * t88), 0.0), 0.0) + np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t89, 0.0), 0.0)
-    t91 = t83 / t84
-    t92 = t90 + np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t91, 0.0), 0.0)
-    t93 = np.where(t84 != 0.0, -t85, 0.0) - np.where(t22 != 0.0, np.where(t84 != 0.0, -(t23 * t92), 0.0), 0.0)
-    t94 = np.where(t84 != 0.0, -t86, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t84 != 0.0, t37 * t92, 0.0), 0.0), 0.0)
-    t95 = np.where(t84 != 0.0, -t88, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t84 != 0.0, t39 * t92, 0.0), 0.0), 0.0)
-    t96 = np.where(t84 != 0.0, t89, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t84 != 0.0, t28 * t92, 0.0), 0.0), 0.0)
-    t97 = t60 * t93 + t71 * t94 + t73 * t95 + t69 * t96
-    t98 = np.where(t84 != 0.0, t91, 0.0) - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t84 != 0.0, t32 * t92, 0.0), 0.0), 0.0)
-    t99 = t97 + t76 * t98
-    t100 = t93 - np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t99, 0.0), 0.0)
-    t101 = t94 - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t99, 0.0), 0.0)
-    t102 = t95 - np.where(t59 != 0.0, np.where(t59 != 0.0, t73 * t99, 0.0), 0.0)
-    t103 = t96 - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t99, 0.0), 0.0)
-    t104 = t100 * t100 + t101 * t101 + t102 * t102 + t103 * t103
-    t105 = t98 - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t99, 0.0), 0.0)
-    t106 = np.sqrt((t104 + t105 * t105))
-    t107 = t100 / t106
-    t108 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t23 * t37), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t71, 0.0), 0.0)
-    t109 = t101 / t106
-    t110 = -(t108 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t109, 0.0), 0.0))
-    t111 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t23 * t39), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t73, 0.0), 0.0)
-    t112 = t102 / t106
-    t113 = -(t111 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t112, 0.0), 0.0))
-    t114 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t23 * t28), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t69, 0.0), 0.0)
-    t115 = t103 / t106
-    t116 = -(t114 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t115, 0.0), 0.0))
-    t117 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t23 * t32), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t60 * t76, 0.0), 0.0)
-    t118 = t105 / t106
-    t119 = -(t117 + np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t118, 0.0), 0.0))
-    t120 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t71, 0.0), 0.0)
-    t121 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t37 * t39, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t73, 0.0), 0.0)
-    t122 = -(t121 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t112, 0.0), 0.0))
-    t123 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t37, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t71, 0.0), 0.0)
-    t124 = -(t123 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t115, 0.0), 0.0))
-    t125 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t37, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t71 * t76, 0.0), 0.0)
-    t126 = -(t125 + np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t118, 0.0), 0.0))
-    t127 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t39 * t39, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t73 * t73, 0.0), 0.0)
-    t128 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t39, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t73, 0.0), 0.0)
-    t129 = -(t128 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t115, 0.0), 0.0))
-    t130 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t39, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t73 * t76, 0.0), 0.0)
-    t131 = -(t130 + np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t118, 0.0), 0.0))
-    t132 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t69, 0.0), 0.0)
-    t133 = np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t28 * t32, 0.0), 0.0), 0.0), 0.0) + np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * t76, 0.0), 0.0)
-    t134 = -(t133 + np.where(t106 != 0.0, np.where(t106 != 0.0, t115 * t118, 0.0), 0.0))
-    t135 = 1 - np.where(t14 != 0.0, np.where(t22 != 0.0, np.where(t14 != 0.0, np.where(t22 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, t76 * t76, 0.0), 0.0)
+    t34 = t12 * t32 - t11 * t33
+    t35 = t20 * t25
+    t36 = t3 * t32 + t4 * t11
+    t37 = t31 * t34 - (t26 * t30 + t35 * t36)
+    t38 = t30 + t26 * t37
+    t39 = t18 * t25
+    t40 = t37 * t39
+    t41 = t19 * t25
+    t42 = t37 * t41
+    t43 = t36 + t35 * t37
+    t44 = t38 * t38 + t40 * t40 + t42 * t42 + t43 * t43
+    t45 = t34 - t31 * t37
+    t46 = np.sqrt((t44 + t45 * t45))
+    t47 = np.where(t46 != 0.0, 1, 0.0)
+    t48 = t47 / (t46 + (1 - t47))
+    t49 = t38 * t48
+    t50 = t45 * t48
+    t51 = t40 * t48
+    t52 = t42 * t48
+    t53 = t43 * t48
+    t54 = t26 * t49 + t39 * t51 + t41 * t52 + t35 * t53
+    t55 = t31 * t50 - t54
+    t56 = t49 + t26 * t55
+    t57 = t51 + t39 * t55
+    t58 = t52 + t41 * t55
+    t59 = t53 + t35 * t55
+    t60 = t56 * t56 + t57 * t57 + t58 * t58 + t59 * t59
+    t61 = t50 - t31 * t55
+    t62 = np.sqrt((t60 + t61 * t61))
+    t63 = np.where(t62 != 0.0, 1, 0.0)
+    t64 = t63 / (t62 + (1 - t63))
+    t65 = t56 * t64
+    t66 = t1 * t4
+    t67 = t1 * t33 - c4 * t32
+    t68 = t30 - t27
+    t69 = t35 * t66 + t31 * t67 - t30 * t39 - t41 * t68
+    t70 = t26 * t69
+    t71 = t30 + t39 * t69
+    t72 = t57 * t64
+    t73 = t68 + t41 * t69
+    t74 = t58 * t64
+    t75 = t66 - t35 * t69
+    t76 = t59 * t64
+    t77 = t65 * t70 + t71 * t72 + t73 * t74 - t75 * t76
+    t78 = t67 - t31 * t69
+    t79 = t61 * t64
+    t80 = t77 + t78 * t79
+    t81 = t70 - t65 * t80
+    t82 = t72 * t80 - t71
+    t83 = t74 * t80 - t73
+    t84 = t75 + t76 * t80
+    t85 = t81 * t81 + t82 * t82 + t83 * t83 + t84 * t84
+    t86 = t78 - t79 * t80
+    t87 = np.sqrt((t85 + t86 * t86))
+    t88 = np.where(t87 != 0.0, 1, 0.0)
+    t89 = t88 / (t87 + (1 - t88))
+    t90 = t81 * t89
+    t91 = t82 * t89
+    t92 = t83 * t89
+    t93 = t84 * t89
+    t94 = t39 * t91 - t26 * t90 + t41 * t92 + t35 * t93
+    t95 = t86 * t89
+    t96 = t94 + t31 * t95
+    t97 = t90 + t26 * t96
+    t98 = t91 - t39 * t96
+    t99 = t92 - t41 * t96
+    t100 = t93 - t35 * t96
+    t101 = t65 * t97 - t72 * t98 - t74 * t99 - t76 * t100
+    t102 = t95 - t31 * t96
+    t103 = t101 + t79 * t102
+    t104 = t97 - t65 * t103
+    t105 = t98 + t72 * t103
+    t106 = t99 + t74 * t103
+    t107 = t100 + t76 * t103
+    t108 = t104 * t104 + t105 * t105 + t106 * t106 + t107 * t107
+    t109 = t102 - t79 * t103
+    t110 = np.sqrt((t108 + t109 * t109))
+    t111 = np.where(t110 != 0.0, 1, 0.0)
+    t112 = t111 / (t110 + (1 - t111))
+    t113 = t104 * t112
+    t114 = t105 * t112
+    t115 = t26 * t39 + t65 * t72 - t113 * t114
+    t116 = t106 * t112
+    t117 = t26 * t41 + t65 * t74 - t113 * t116
+    t118 = t107 * t112
+    t119 = t26 * t35 + t65 * t76 - t113 * t118
+    t120 = t109 * t112
+    t121 = t26 * t31 - t65 * t79 - t113 * t120
+    t122 = -(t39 * t41 + t72 * t74 + t114 * t116)
+    t123 = -(t35 * t39 + t72 * t76 + t114 * t118)
+    t124 = t72 * t79 - t31 * t39 - t114 * t120
+    t125 = -(t35 * t41 + t74 * t76 + t116 * t118)
+    t126 = t74 * t79 - t31 * t41 - t116 * t120
+    t127 = t76 * t79 - t31 * t35 - t118 * t120
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = t61 - np.where(t106 != 0.0, np.where(t106 != 0.0, t107 * t107, 0.0), 0.0)
-    null_projector[..., 1] = t110
-    null_projector[..., 2] = t113
-    null_projector[..., 3] = t116
-    null_projector[..., 4] = t119
+    null_projector[..., 0] = 1 - t26 * t26 - t65 * t65 - t113 * t113
+    null_projector[..., 1] = t115
+    null_projector[..., 2] = t117
+    null_projector[..., 3] = t119
+    null_projector[..., 4] = t121
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t110
-    null_projector[..., 7] = t120 - np.where(t106 != 0.0, np.where(t106 != 0.0, t109 * t109, 0.0), 0.0)
+    null_projector[..., 6] = t115
+    null_projector[..., 7] = 1 - t39 * t39 - t72 * t72 - t114 * t114
     null_projector[..., 8] = t122
-    null_projector[..., 9] = t124
-    null_projector[..., 10] = t126
+    null_projector[..., 9] = t123
+    null_projector[..., 10] = t124
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t113
+    null_projector[..., 12] = t117
     null_projector[..., 13] = t122
-    null_projector[..., 14] = t127 - np.where(t106 != 0.0, np.where(t106 != 0.0, t112 * t112, 0.0), 0.0)
-    null_projector[..., 15] = t129
-    null_projector[..., 16] = t131
+    null_projector[..., 14] = 1 - t41 * t41 - t74 * t74 - t116 * t116
+    null_projector[..., 15] = t125
+    null_projector[..., 16] = t126
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t116
-    null_projector[..., 19] = t124
-    null_projector[..., 20] = t129
-    null_projector[..., 21] = t132 - np.where(t106 != 0.0, np.where(t106 != 0.0, t115 * t115, 0.0), 0.0)
-    null_projector[..., 22] = t134
+    null_projector[..., 18] = t119
+    null_projector[..., 19] = t123
+    null_projector[..., 20] = t125
+    null_projector[..., 21] = 1 - t35 * t35 - t76 * t76 - t118 * t118
+    null_projector[..., 22] = t127
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t119
-    null_projector[..., 25] = t126
-    null_projector[..., 26] = t131
-    null_projector[..., 27] = t134
-    null_projector[..., 28] = t135 - np.where(t106 != 0.0, np.where(t106 != 0.0, t118 * t118, 0.0), 0.0)
+    null_projector[..., 24] = t121
+    null_projector[..., 25] = t124
+    null_projector[..., 26] = t126
+    null_projector[..., 27] = t127
+    null_projector[..., 28] = 1 - t31 * t31 - t79 * t79 - t120 * t120
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

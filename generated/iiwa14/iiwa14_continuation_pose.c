@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1.
+ * Made from templates/kernel.c.j2; inputs f8224187d20eb8f5a8929330a9bc8d898bc26ece639f0d0f42447a37ed862cfb.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1";
+const char iiwa14_continuation_pose_digest[] = "f8224187d20eb8f5a8929330a9bc8d898bc26ece639f0d0f42447a37ed862cfb";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1.
+Made from templates/kernel.py.j2; inputs f8224187d20eb8f5a8929330a9bc8d898bc26ece639f0d0f42447a37ed862cfb.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

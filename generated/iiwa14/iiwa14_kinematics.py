@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e36fb7919fce96b3e6f9e38ed8bb5ac2a501809693ffc74532bc7b2584e1d65b.
+Made from templates/kernel.py.j2; inputs bff9db652a12971c0982b66cdc9ebd953881cdddee27a66816506591d4841aab.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
- * 2462 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62.
+ * 1840 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd";
+const char iiwa14_pose_digest[] = "89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62";
 #endif
 
 #define LANES 64

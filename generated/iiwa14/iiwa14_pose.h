@@ -1,6 +1,6 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
- * 2462 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62.
+ * 1840 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -64,7 +64,7 @@ void iiwa14_null_vector_pose_batchf(ptrdiff_t count, char *const *args, const pt
 /* projector I - J^+ J onto the null space of the pose Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   1567 operations */
+ *   945 operations */
 void iiwa14_null_projector_pose(const double *q, double *null_projector);
 void iiwa14_null_projector_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void iiwa14_null_projector_posef(const float *q, float *null_projector);

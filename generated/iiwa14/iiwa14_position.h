@@ -1,6 +1,6 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
- * 1678 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62.
+ * 1422 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void iiwa14_minors_position_batchf(ptrdiff_t count, char *const *args, const ptr
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   669 operations */
+ *   413 operations */
 void iiwa14_null_projector_position(const double *q, double *null_projector);
 void iiwa14_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void iiwa14_null_projector_positionf(const float *q, float *null_projector);

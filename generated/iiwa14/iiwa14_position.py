@@ -1,7 +1,7 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
-1678 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62.
+1422 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -454,7 +454,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 669 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 413 operations.
 
     in   q[7]
     out  null_projector[7][7]
@@ -501,179 +501,176 @@ def null_projector_position(q):
     t18 = c5 * t16
     t19 = 0.015876 + t12 * t12 + t15 * t15 + t17 * t17 + t18 * t18
     t20 = np.sqrt(t19)
-    t21 = t12 / t20
-    t22 = t15 / t20
-    t23 = t17 / t20
-    t24 = t18 / t20
-    t25 = t21 * t21 + t22 * t22 + t23 * t23 + t24 * t24
-    t26 = 0.126 / t20
-    t27 = np.sqrt(np.where(t20 != 0.0, np.where(t20 != 0.0, t25 + t26 * t26, 0.0), 0.0))
-    t28 = t21 / t27
-    t29 = 0.4 * s6
-    t30 = c6 * c5
-    t31 = s4 * t30 - s6 * c4
-    t32 = t29 - 0.42 * t31
-    t33 = c4 * t30 + s4 * s6
-    t34 = c6 * s5
-    t35 = s2 * (c3 * t33 - s3 * t34) - c2 * t31
-    t36 = t7 * t32 + t8 * t35
-    t37 = t22 / t27
-    t38 = c3 * t34 + s3 * t33
-    t39 = t8 * t38 + t14 * t32
-    t40 = t23 / t27
-    t41 = t5 * t29
-    t42 = t24 / t27
-    t43 = c5 * t29
-    t44 = t28 * t36 - t37 * t39 + t40 * t41 + t42 * t43
-    t45 = t36 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t44, 0.0), 0.0), 0.0), 0.0)
-    t46 = t39 + np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t44, 0.0), 0.0), 0.0), 0.0)
-    t47 = t41 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t44, 0.0), 0.0), 0.0), 0.0)
-    t48 = t43 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t44, 0.0), 0.0), 0.0), 0.0)
-    t49 = t45 * t45 + t46 * t46 + t47 * t47 + t48 * t48
-    t50 = t26 / t27
-    t51 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t44 * t50, 0.0), 0.0), 0.0), 0.0)
-    t52 = np.sqrt((t49 + t51 * t51))
-    t53 = t45 / t52
-    t54 = t46 / t52
-    t55 = t47 / t52
-    t56 = t48 / t52
-    t57 = t28 * t53 - t37 * t54 + t40 * t55 + t42 * t56
-    t58 = t51 / t52
-    t59 = t57 - t50 * t58
-    t60 = np.where(t52 != 0.0, t53, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t52 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t59, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t61 = np.where(t52 != 0.0, -t54, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t52 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t59, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t62 = np.where(t52 != 0.0, t55, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t52 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t59, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t63 = np.where(t52 != 0.0, t56, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t52 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t59, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t64 = t60 * t60 + t61 * t61 + t62 * t62 + t63 * t63
-    t65 = np.where(t52 != 0.0, -t58, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t52 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t50 * t59, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t66 = np.sqrt((t64 + t65 * t65))
-    t67 = t60 / t66
-    t68 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0)
-    t69 = t11 * t32 + t4 * t35
-    t70 = t13 * t32 + t4 * t38
-    t71 = t16 * t31 - t3 * t29
-    t72 = t10 * t29 - t16 * t34
-    t73 = t37 * t70 - t28 * t69 + t40 * t71 + t42 * t72
-    t74 = t69 + np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t73, 0.0), 0.0), 0.0), 0.0)
-    t75 = t70 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t73, 0.0), 0.0), 0.0), 0.0)
-    t76 = t61 / t66
-    t77 = t71 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t73, 0.0), 0.0), 0.0), 0.0)
-    t78 = t62 / t66
-    t79 = t72 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t73, 0.0), 0.0), 0.0), 0.0)
-    t80 = t63 / t66
-    t81 = t75 * t76 - t67 * t74 + t77 * t78 + t79 * t80
-    t82 = t50 * t73
-    t83 = t65 / t66
-    t84 = t81 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t82 * t83, 0.0), 0.0), 0.0), 0.0)
-    t85 = t74 + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t84, 0.0), 0.0)
-    t86 = t75 - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t84, 0.0), 0.0)
-    t87 = t77 - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t84, 0.0), 0.0)
-    t88 = t79 - np.where(t66 != 0.0, np.where(t66 != 0.0, t80 * t84, 0.0), 0.0)
-    t89 = t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88
-    t90 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t82, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t84, 0.0), 0.0)
-    t91 = 0.126 * s6
-    t92 = np.sqrt((t89 + t90 * t90 + t91 * t91))
-    t93 = t85 / t92
-    t94 = t86 / t92
-    t95 = t87 / t92
-    t96 = t88 / t92
-    t97 = t37 * t94 - t28 * t93 + t40 * t95 + t42 * t96
-    t98 = t90 / t92
-    t99 = t97 - t50 * t98
-    t100 = np.where(t92 != 0.0, -t93, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t92 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t99, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t101 = np.where(t92 != 0.0, t94, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t92 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t99, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t102 = np.where(t92 != 0.0, t95, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t92 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t99, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t103 = np.where(t92 != 0.0, t96, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t92 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t99, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t104 = t67 * t100 + t76 * t101 + t78 * t102 + t80 * t103
-    t105 = np.where(t92 != 0.0, -t98, 0.0) - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t92 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t50 * t99, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t106 = t104 + t83 * t105
-    t107 = t100 - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t106, 0.0), 0.0)
-    t108 = t101 - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t106, 0.0), 0.0)
-    t109 = t102 - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t106, 0.0), 0.0)
-    t110 = t103 - np.where(t66 != 0.0, np.where(t66 != 0.0, t80 * t106, 0.0), 0.0)
-    t111 = t107 * t107 + t108 * t108 + t109 * t109 + t110 * t110
-    t112 = t105 - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t106, 0.0), 0.0)
-    t113 = t91 / t92
-    t114 = np.sqrt((t111 + t112 * t112 + np.where(t92 != 0.0, np.where(t92 != 0.0, t113 * t113, 0.0), 0.0)))
-    t115 = t107 / t114
-    t116 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t37, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t76, 0.0), 0.0)
-    t117 = t108 / t114
-    t118 = -(t116 + np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t117, 0.0), 0.0))
-    t119 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t40, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t78, 0.0), 0.0)
-    t120 = t109 / t114
-    t121 = -(t119 + np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t120, 0.0), 0.0))
-    t122 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t80, 0.0), 0.0)
-    t123 = t110 / t114
-    t124 = -(t122 + np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t123, 0.0), 0.0))
-    t125 = t113 / t114
-    t126 = -np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t125, 0.0), 0.0), 0.0)
-    t127 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t28 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t83, 0.0), 0.0)
-    t128 = t112 / t114
-    t129 = -(t127 + np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t128, 0.0), 0.0))
-    t130 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t76, 0.0), 0.0)
-    t131 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t40, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t78, 0.0), 0.0)
-    t132 = -(t131 + np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t120, 0.0), 0.0))
-    t133 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t80, 0.0), 0.0)
-    t134 = -(t133 + np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t123, 0.0), 0.0))
-    t135 = -np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t125, 0.0), 0.0), 0.0)
-    t136 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t37 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t83, 0.0), 0.0)
-    t137 = -(t136 + np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t128, 0.0), 0.0))
-    t138 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t78, 0.0), 0.0)
-    t139 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t80, 0.0), 0.0)
-    t140 = -(t139 + np.where(t114 != 0.0, np.where(t114 != 0.0, t120 * t123, 0.0), 0.0))
-    t141 = -np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t114 != 0.0, t120 * t125, 0.0), 0.0), 0.0)
-    t142 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t40 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t83, 0.0), 0.0)
-    t143 = -(t142 + np.where(t114 != 0.0, np.where(t114 != 0.0, t120 * t128, 0.0), 0.0))
-    t144 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t80 * t80, 0.0), 0.0)
-    t145 = -np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t114 != 0.0, t123 * t125, 0.0), 0.0), 0.0)
-    t146 = np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t42 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t80 * t83, 0.0), 0.0)
-    t147 = -(t146 + np.where(t114 != 0.0, np.where(t114 != 0.0, t123 * t128, 0.0), 0.0))
-    t148 = -np.where(t114 != 0.0, np.where(t92 != 0.0, np.where(t114 != 0.0, t125 * t128, 0.0), 0.0), 0.0)
-    t149 = 1 - np.where(t20 != 0.0, np.where(t27 != 0.0, np.where(t20 != 0.0, np.where(t27 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
+    t21 = np.where(t20 != 0.0, 1, 0.0)
+    t22 = t21 / (t20 + (1 - t21))
+    t23 = t12 * t22
+    t24 = t15 * t22
+    t25 = t17 * t22
+    t26 = t18 * t22
+    t27 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26
+    t28 = 0.126 * t22
+    t29 = np.sqrt((t27 + t28 * t28))
+    t30 = np.where(t29 != 0.0, 1, 0.0)
+    t31 = t30 / (t29 + (1 - t30))
+    t32 = t23 * t31
+    t33 = 0.4 * s6
+    t34 = c6 * c5
+    t35 = s4 * t34 - s6 * c4
+    t36 = t33 - 0.42 * t35
+    t37 = c4 * t34 + s4 * s6
+    t38 = c6 * s5
+    t39 = s2 * (c3 * t37 - s3 * t38) - c2 * t35
+    t40 = t7 * t36 + t8 * t39
+    t41 = t24 * t31
+    t42 = c3 * t38 + s3 * t37
+    t43 = t8 * t42 + t14 * t36
+    t44 = t25 * t31
+    t45 = t5 * t33
+    t46 = t26 * t31
+    t47 = c5 * t33
+    t48 = t32 * t40 - t41 * t43 + t44 * t45 + t46 * t47
+    t49 = t40 - t32 * t48
+    t50 = t43 + t41 * t48
+    t51 = t45 - t44 * t48
+    t52 = t47 - t46 * t48
+    t53 = t49 * t49 + t50 * t50 + t51 * t51 + t52 * t52
+    t54 = t28 * t31
+    t55 = t48 * t54
+    t56 = np.sqrt((t53 + t55 * t55))
+    t57 = np.where(t56 != 0.0, 1, 0.0)
+    t58 = t57 / (t56 + (1 - t57))
+    t59 = t49 * t58
+    t60 = t50 * t58
+    t61 = t51 * t58
+    t62 = t52 * t58
+    t63 = t32 * t59 - t41 * t60 + t44 * t61 + t46 * t62
+    t64 = t55 * t58
+    t65 = t63 - t54 * t64
+    t66 = t59 - t32 * t65
+    t67 = t60 + t41 * t65
+    t68 = t61 - t44 * t65
+    t69 = t62 - t46 * t65
+    t70 = t66 * t66 + t67 * t67 + t68 * t68 + t69 * t69
+    t71 = t64 + t54 * t65
+    t72 = np.sqrt((t70 + t71 * t71))
+    t73 = np.where(t72 != 0.0, 1, 0.0)
+    t74 = t73 / (t72 + (1 - t73))
+    t75 = t66 * t74
+    t76 = t11 * t36 + t4 * t39
+    t77 = t13 * t36 + t4 * t42
+    t78 = t16 * t35 - t3 * t33
+    t79 = t10 * t33 - t16 * t38
+    t80 = t41 * t77 - t32 * t76 + t44 * t78 + t46 * t79
+    t81 = t76 + t32 * t80
+    t82 = t78 - t44 * t80
+    t83 = t68 * t74
+    t84 = t77 - t41 * t80
+    t85 = t67 * t74
+    t86 = t79 - t46 * t80
+    t87 = t69 * t74
+    t88 = t82 * t83 - (t75 * t81 + t84 * t85) + t86 * t87
+    t89 = t54 * t80
+    t90 = t71 * t74
+    t91 = t88 + t89 * t90
+    t92 = t81 + t75 * t91
+    t93 = t84 + t85 * t91
+    t94 = t82 - t83 * t91
+    t95 = t86 - t87 * t91
+    t96 = t92 * t92 + t93 * t93 + t94 * t94 + t95 * t95
+    t97 = t90 * t91 - t89
+    t98 = 0.126 * s6
+    t99 = np.sqrt((t96 + t97 * t97 + t98 * t98))
+    t100 = np.where(t99 != 0.0, 1, 0.0)
+    t101 = t100 / (t99 + (1 - t100))
+    t102 = t92 * t101
+    t103 = t93 * t101
+    t104 = t94 * t101
+    t105 = t95 * t101
+    t106 = t41 * t103 - t32 * t102 + t44 * t104 + t46 * t105
+    t107 = t97 * t101
+    t108 = t106 + t54 * t107
+    t109 = t102 + t32 * t108
+    t110 = t104 - t44 * t108
+    t111 = t103 - t41 * t108
+    t112 = t105 - t46 * t108
+    t113 = t83 * t110 - (t75 * t109 + t85 * t111) + t87 * t112
+    t114 = t107 - t54 * t108
+    t115 = t113 - t90 * t114
+    t116 = t109 + t75 * t115
+    t117 = t111 + t85 * t115
+    t118 = t110 - t83 * t115
+    t119 = t112 - t87 * t115
+    t120 = t116 * t116 + t117 * t117 + t118 * t118 + t119 * t119
+    t121 = t114 + t90 * t115
+    t122 = t98 * t101
+    t123 = np.sqrt((t120 + t121 * t121 + t122 * t122))
+    t124 = np.where(t123 != 0.0, 1, 0.0)
+    t125 = t124 / (t123 + (1 - t124))
+    t126 = t116 * t125
+    t127 = t117 * t125
+    t128 = t75 * t85 - t32 * t41 + t126 * t127
+    t129 = t118 * t125
+    t130 = t126 * t129 - (t32 * t44 + t75 * t83)
+    t131 = t119 * t125
+    t132 = t126 * t131 - (t32 * t46 + t75 * t87)
+    t133 = t122 * t125
+    t134 = t126 * t133
+    t135 = t121 * t125
+    t136 = t75 * t90 - t32 * t54 + t126 * t135
+    t137 = t83 * t85 - t41 * t44 - t127 * t129
+    t138 = t85 * t87 - t41 * t46 - t127 * t131
+    t139 = -(t127 * t133)
+    t140 = -(t41 * t54 + t85 * t90 + t127 * t135)
+    t141 = -(t44 * t46 + t83 * t87 + t129 * t131)
+    t142 = -(t129 * t133)
+    t143 = t83 * t90 - t44 * t54 - t129 * t135
+    t144 = -(t131 * t133)
+    t145 = t87 * t90 - t46 * t54 - t131 * t135
+    t146 = -(t133 * t135)
 
     # results
     null_projector = np.empty((*_leading, 49), _real)
-    null_projector[..., 0] = t68 - np.where(t114 != 0.0, np.where(t114 != 0.0, t115 * t115, 0.0), 0.0)
-    null_projector[..., 1] = t118
-    null_projector[..., 2] = t121
-    null_projector[..., 3] = t124
-    null_projector[..., 4] = t126
-    null_projector[..., 5] = t129
+    null_projector[..., 0] = 1 - t32 * t32 - t75 * t75 - t126 * t126
+    null_projector[..., 1] = t128
+    null_projector[..., 2] = t130
+    null_projector[..., 3] = t132
+    null_projector[..., 4] = t134
+    null_projector[..., 5] = t136
     null_projector[..., 6] = 0.0
-    null_projector[..., 7] = t118
-    null_projector[..., 8] = t130 - np.where(t114 != 0.0, np.where(t114 != 0.0, t117 * t117, 0.0), 0.0)
-    null_projector[..., 9] = t132
-    null_projector[..., 10] = t134
-    null_projector[..., 11] = t135
-    null_projector[..., 12] = t137
+    null_projector[..., 7] = t128
+    null_projector[..., 8] = 1 - t41 * t41 - t85 * t85 - t127 * t127
+    null_projector[..., 9] = t137
+    null_projector[..., 10] = t138
+    null_projector[..., 11] = t139
+    null_projector[..., 12] = t140
     null_projector[..., 13] = 0.0
-    null_projector[..., 14] = t121
-    null_projector[..., 15] = t132
-    null_projector[..., 16] = t138 - np.where(t114 != 0.0, np.where(t114 != 0.0, t120 * t120, 0.0), 0.0)
-    null_projector[..., 17] = t140
-    null_projector[..., 18] = t141
+    null_projector[..., 14] = t130
+    null_projector[..., 15] = t137
+    null_projector[..., 16] = 1 - t44 * t44 - t83 * t83 - t129 * t129
+    null_projector[..., 17] = t141
+    null_projector[..., 18] = t142
     null_projector[..., 19] = t143
     null_projector[..., 20] = 0.0
-    null_projector[..., 21] = t124
-    null_projector[..., 22] = t134
-    null_projector[..., 23] = t140
-    null_projector[..., 24] = t144 - np.where(t114 != 0.0, np.where(t114 != 0.0, t123 * t123, 0.0), 0.0)
-    null_projector[..., 25] = t145
-    null_projector[..., 26] = t147
+    null_projector[..., 21] = t132
+    null_projector[..., 22] = t138
+    null_projector[..., 23] = t141
+    null_projector[..., 24] = 1 - t46 * t46 - t87 * t87 - t131 * t131
+    null_projector[..., 25] = t144
+    null_projector[..., 26] = t145
     null_projector[..., 27] = 0.0
-    null_projector[..., 28] = t126
-    null_projector[..., 29] = t135
-    null_projector[..., 30] = t141
-    null_projector[..., 31] = t145
-    null_projector[..., 32] = 1 - np.where(t92 != 0.0, np.where(t114 != 0.0, np.where(t92 != 0.0, np.where(t114 != 0.0, t125 * t125, 0.0), 0.0), 0.0), 0.0)
-    null_projector[..., 33] = t148
+    null_projector[..., 28] = t134
+    null_projector[..., 29] = t139
+    null_projector[..., 30] = t142
+    null_projector[..., 31] = t144
+    null_projector[..., 32] = 1 - t133 * t133
+    null_projector[..., 33] = t146
     null_projector[..., 34] = 0.0
-    null_projector[..., 35] = t129
-    null_projector[..., 36] = t137
+    null_projector[..., 35] = t136
+    null_projector[..., 36] = t140
     null_projector[..., 37] = t143
-    null_projector[..., 38] = t147
-    null_projector[..., 39] = t148
-    null_projector[..., 40] = t149 - np.where(t114 != 0.0, np.where(t114 != 0.0, t128 * t128, 0.0), 0.0)
+    null_projector[..., 38] = t145
+    null_projector[..., 39] = t146
+    null_projector[..., 40] = 1 - t54 * t54 - t90 * t90 - t135 * t135
     null_projector[..., 41] = 0.0
     null_projector[..., 42] = 0.0
     null_projector[..., 43] = 0.0

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs 40857b86da1519bbd657d62b64ada3fb4638b1c709c83f4bfc373d9d194c0a37.
+ * Made from templates/kernel.h.j2; inputs bd5e210cd4fb5479759d5ffc9b07ea0b8f4a257792dcf487de1c8156d951db2d.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* jaco2_pose.h: manipulability (pose) of jaco2.
- * Made from templates/kernel.h.j2; inputs 4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b.
+ * Made from templates/kernel.h.j2; inputs 1c1a78ce2c8b6a6e2b29e50fbd208c494c7f12cc93746c9ba70af277560a0350.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

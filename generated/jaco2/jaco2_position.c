@@ -1,6 +1,6 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b.
- * 1419 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1c1a78ce2c8b6a6e2b29e50fbd208c494c7f12cc93746c9ba70af277560a0350.
+ * 1191 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b";
+const char jaco2_position_digest[] = "1c1a78ce2c8b6a6e2b29e50fbd208c494c7f12cc93746c9ba70af277560a0350";
 #endif
 
 #define LANES 64

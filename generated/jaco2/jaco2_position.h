@@ -1,6 +1,6 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs 4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b.
- * 1419 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 1c1a78ce2c8b6a6e2b29e50fbd208c494c7f12cc93746c9ba70af277560a0350.
+ * 1191 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void jaco2_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   621 operations */
+ *   393 operations */
 void jaco2_null_projector_position(const double *q, double *null_projector);
 void jaco2_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void jaco2_null_projector_positionf(const float *q, float *null_projector);

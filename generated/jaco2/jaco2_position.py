@@ -1,7 +1,7 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b.
-1419 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 1c1a78ce2c8b6a6e2b29e50fbd208c494c7f12cc93746c9ba70af277560a0350.
+1191 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -371,7 +371,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 621 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 393 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -415,159 +415,153 @@ def null_projector_position(q):
     t18 = t2 - t1
     t19 = t16 * t17 - t10 * t18
     t20 = np.sqrt((t15 + t19 * t19))
-    t21 = np.where(t20 != 0.0, t2 / t20, 0.0)
-    t22 = np.where(t20 != 0.0, t11 / t20, 0.0)
-    t23 = t12 / t20
-    t24 = t21 * t21 + t22 * t22 + np.where(t20 != 0.0, np.where(t20 != 0.0, t23 * t23, 0.0), 0.0)
-    t25 = t14 / t20
-    t26 = t19 / t20
-    t27 = t24 + np.where(t20 != 0.0, np.where(t20 != 0.0, t25 * t25, 0.0), 0.0) + np.where(t20 != 0.0, np.where(t20 != 0.0, t26 * t26, 0.0), 0.0)
-    t28 = np.sqrt(t27)
-    t29 = t21 / t28
-    t30 = 0.41 * c2
-    t31 = t30 + 0.2500816549469513 * t6
-    t32 = s4 * t4
-    t33 = t31 + 0.04278165494695127 * t6 - 0.07409999999999999 * t32
-    t34 = c5 * (0.5000000000000001 * t32 + 0.8660254037844386 * t6) + s5 * (c4 * t4)
-    t35 = -0.5000000000000001 * t6 + 0.8660254037844386 * t32
-    t36 = t33 - 0.17561406460551018 * t34 - 0.10139082747347566 * t35
-    t37 = t25 / t28
-    t38 = t6 * (t11 - t5) + t4 * (t36 - t31)
-    t39 = np.where(t28 != 0.0, -(t29 * t36), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t38), 0.0), 0.0)
-    t40 = t26 / t28
-    t41 = t36 - t33
-    t42 = t10 * t41 - t16 * t35
-    t43 = t39 + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t42, 0.0), 0.0)
-    t44 = t36 - np.where(t28 != 0.0, -(t29 * t43), 0.0)
-    t45 = t22 / t28
-    t46 = np.where(t28 != 0.0, -(t43 * t45), 0.0)
-    t47 = t23 / t28
-    t48 = np.where(t20 != 0.0, np.where(t28 != 0.0, t43 * t47, 0.0), 0.0)
-    t49 = t38 - np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t43), 0.0), 0.0)
-    t50 = t44 * t44 + t46 * t46 + t48 * t48 + t49 * t49
-    t51 = t42 - np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t43, 0.0), 0.0)
-    t52 = np.sqrt((t50 + t51 * t51))
-    t53 = t44 / t52
-    t54 = t46 / t52
-    t55 = t48 / t52
-    t56 = np.where(t28 != 0.0, t45 * t54 - t29 * t53, 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t47 * t55), 0.0), 0.0)
-    t57 = t49 / t52
-    t58 = t51 / t52
-    t59 = t56 + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t57), 0.0), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t58, 0.0), 0.0)
-    t60 = np.where(t52 != 0.0, t53, 0.0) - np.where(t28 != 0.0, np.where(t52 != 0.0, -(t29 * t59), 0.0), 0.0)
-    t61 = np.where(t52 != 0.0, -t54, 0.0) - np.where(t28 != 0.0, np.where(t52 != 0.0, -(t45 * t59), 0.0), 0.0)
-    t62 = np.where(t52 != 0.0, -t55, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t52 != 0.0, t47 * t59, 0.0), 0.0), 0.0)
-    t63 = np.where(t52 != 0.0, t57, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t52 != 0.0, -(t37 * t59), 0.0), 0.0), 0.0)
-    t64 = t60 * t60 + t61 * t61 + t62 * t62 + t63 * t63
-    t65 = np.where(t52 != 0.0, t58, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t52 != 0.0, t40 * t59, 0.0), 0.0), 0.0)
-    t66 = np.sqrt((t64 + t65 * t65))
-    t67 = t60 / t66
-    t68 = 1 - np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t29, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t67, 0.0), 0.0)
-    t69 = t6 * t13
-    t70 = np.where(t28 != 0.0, -(t36 * t45), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t69, 0.0), 0.0)
-    t71 = t18 * t35 - t17 * t41
-    t72 = t36 - t30
-    t73 = t70 + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t71, 0.0), 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t72, 0.0), 0.0)
-    t74 = t29 * t73
-    t75 = t36 - np.where(t28 != 0.0, -(t45 * t73), 0.0)
-    t76 = t61 / t66
-    t77 = t72 + np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t73, 0.0), 0.0)
-    t78 = t62 / t66
-    t79 = t75 * t76 - np.where(t28 != 0.0, -(t67 * t74), 0.0) - t77 * t78
-    t80 = t69 + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t73), 0.0), 0.0)
-    t81 = t63 / t66
-    t82 = t71 - np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t73, 0.0), 0.0)
-    t83 = t65 / t66
-    t84 = t79 - t80 * t81 + t82 * t83
-    t85 = np.where(t28 != 0.0, -t74, 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t84, 0.0), 0.0)
-    t86 = t75 - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t84, 0.0), 0.0)
-    t87 = t77 + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t84, 0.0), 0.0)
-    t88 = t80 + np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t84, 0.0), 0.0)
-    t89 = t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88
-    t90 = t82 - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t84, 0.0), 0.0)
-    t91 = np.sqrt((t89 + t90 * t90))
-    t92 = t85 / t91
-    t93 = t86 / t91
-    t94 = t87 / t91
-    t95 = np.where(t28 != 0.0, t29 * t92 - t45 * t93, 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, -(t47 * t94), 0.0), 0.0)
-    t96 = t88 / t91
-    t97 = t90 / t91
-    t98 = t95 + np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t96, 0.0), 0.0) + np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t97, 0.0), 0.0)
-    t99 = np.where(t91 != 0.0, -t92, 0.0) - np.where(t28 != 0.0, np.where(t91 != 0.0, -(t29 * t98), 0.0), 0.0)
-    t100 = np.where(t91 != 0.0, t93, 0.0) - np.where(t28 != 0.0, np.where(t91 != 0.0, -(t45 * t98), 0.0), 0.0)
-    t101 = np.where(t91 != 0.0, -t94, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t91 != 0.0, t47 * t98, 0.0), 0.0), 0.0)
-    t102 = np.where(t91 != 0.0, -t96, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t91 != 0.0, -(t37 * t98), 0.0), 0.0), 0.0)
-    t103 = t67 * t99 + t76 * t100 + t78 * t101 + t81 * t102
-    t104 = np.where(t91 != 0.0, t97, 0.0) - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t91 != 0.0, t40 * t98, 0.0), 0.0), 0.0)
-    t105 = t103 + t83 * t104
-    t106 = t99 - np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t105, 0.0), 0.0)
-    t107 = t100 - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t105, 0.0), 0.0)
-    t108 = t101 - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t105, 0.0), 0.0)
-    t109 = t102 - np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t105, 0.0), 0.0)
-    t110 = t106 * t106 + t107 * t107 + t108 * t108 + t109 * t109
-    t111 = t104 - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t105, 0.0), 0.0)
-    t112 = np.sqrt((t110 + t111 * t111))
-    t113 = t106 / t112
-    t114 = np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t45, 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t76, 0.0), 0.0)
-    t115 = t107 / t112
-    t116 = -(t114 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t115, 0.0), 0.0))
-    t117 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t29 * t47), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t78, 0.0), 0.0)
-    t118 = t108 / t112
-    t119 = -(t117 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t118, 0.0), 0.0))
-    t120 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, t29 * t37, 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t81, 0.0), 0.0)
-    t121 = t109 / t112
-    t122 = -(t120 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t121, 0.0), 0.0))
-    t123 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t29 * t40), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t67 * t83, 0.0), 0.0)
-    t124 = t111 / t112
-    t125 = -(t123 + np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t124, 0.0), 0.0))
-    t126 = 1 - np.where(t28 != 0.0, np.where(t28 != 0.0, t45 * t45, 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t76, 0.0), 0.0)
-    t127 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t45 * t47), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t78, 0.0), 0.0)
-    t128 = -(t127 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t118, 0.0), 0.0))
-    t129 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, t37 * t45, 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t81, 0.0), 0.0)
-    t130 = -(t129 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t121, 0.0), 0.0))
-    t131 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t28 != 0.0, -(t40 * t45), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t76 * t83, 0.0), 0.0)
-    t132 = -(t131 + np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t124, 0.0), 0.0))
-    t133 = 1 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t78, 0.0), 0.0)
-    t134 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t47), 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t81, 0.0), 0.0)
-    t135 = -(t134 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t121, 0.0), 0.0))
-    t136 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t47, 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t78 * t83, 0.0), 0.0)
-    t137 = -(t136 + np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t124, 0.0), 0.0))
-    t138 = 1 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t37 * t37, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t81, 0.0), 0.0)
-    t139 = np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, -(t37 * t40), 0.0), 0.0), 0.0), 0.0) + np.where(t66 != 0.0, np.where(t66 != 0.0, t81 * t83, 0.0), 0.0)
-    t140 = -(t139 + np.where(t112 != 0.0, np.where(t112 != 0.0, t121 * t124, 0.0), 0.0))
-    t141 = 1 - np.where(t20 != 0.0, np.where(t28 != 0.0, np.where(t20 != 0.0, np.where(t28 != 0.0, t40 * t40, 0.0), 0.0), 0.0), 0.0) - np.where(t66 != 0.0, np.where(t66 != 0.0, t83 * t83, 0.0), 0.0)
+    t21 = np.where(t20 != 0.0, 1, 0.0)
+    t22 = t21 / (t20 + (1 - t21))
+    t23 = t2 * t22
+    t24 = t11 * t22
+    t25 = t12 * t22
+    t26 = t14 * t22
+    t27 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26
+    t28 = t19 * t22
+    t29 = np.sqrt((t27 + t28 * t28))
+    t30 = np.where(t29 != 0.0, 1, 0.0)
+    t31 = t30 / (t29 + (1 - t30))
+    t32 = t23 * t31
+    t33 = 0.41 * c2
+    t34 = t33 + 0.2500816549469513 * t6
+    t35 = s4 * t4
+    t36 = t34 + 0.04278165494695127 * t6 - 0.07409999999999999 * t35
+    t37 = c5 * (0.5000000000000001 * t35 + 0.8660254037844386 * t6) + s5 * (c4 * t4)
+    t38 = -0.5000000000000001 * t6 + 0.8660254037844386 * t35
+    t39 = t36 - 0.17561406460551018 * t37 - 0.10139082747347566 * t38
+    t40 = t28 * t31
+    t41 = t39 - t36
+    t42 = t10 * t41 - t16 * t38
+    t43 = t26 * t31
+    t44 = t6 * (t11 - t5) + t4 * (t39 - t34)
+    t45 = t40 * t42 - (t32 * t39 + t43 * t44)
+    t46 = t39 + t32 * t45
+    t47 = t24 * t31
+    t48 = t45 * t47
+    t49 = t25 * t31
+    t50 = t45 * t49
+    t51 = t44 + t43 * t45
+    t52 = t46 * t46 + t48 * t48 + t50 * t50 + t51 * t51
+    t53 = t42 - t40 * t45
+    t54 = np.sqrt((t52 + t53 * t53))
+    t55 = np.where(t54 != 0.0, 1, 0.0)
+    t56 = t55 / (t54 + (1 - t55))
+    t57 = t46 * t56
+    t58 = t53 * t56
+    t59 = t48 * t56
+    t60 = t50 * t56
+    t61 = t51 * t56
+    t62 = t32 * t57 + t47 * t59 + t49 * t60 + t43 * t61
+    t63 = t40 * t58 - t62
+    t64 = t57 + t32 * t63
+    t65 = t59 + t47 * t63
+    t66 = t60 + t49 * t63
+    t67 = t61 + t43 * t63
+    t68 = t64 * t64 + t65 * t65 + t66 * t66 + t67 * t67
+    t69 = t58 - t40 * t63
+    t70 = np.sqrt((t68 + t69 * t69))
+    t71 = np.where(t70 != 0.0, 1, 0.0)
+    t72 = t71 / (t70 + (1 - t71))
+    t73 = t64 * t72
+    t74 = t6 * t13
+    t75 = t18 * t38 - t17 * t41
+    t76 = t39 - t33
+    t77 = t43 * t74 - t39 * t47 + t40 * t75 - t49 * t76
+    t78 = t32 * t77
+    t79 = t39 + t47 * t77
+    t80 = t65 * t72
+    t81 = t76 + t49 * t77
+    t82 = t66 * t72
+    t83 = t43 * t77 - t74
+    t84 = t67 * t72
+    t85 = t73 * t78 + t79 * t80 + t81 * t82 + t83 * t84
+    t86 = t75 - t40 * t77
+    t87 = t69 * t72
+    t88 = t85 + t86 * t87
+    t89 = t78 - t73 * t88
+    t90 = t79 - t80 * t88
+    t91 = t82 * t88 - t81
+    t92 = t83 - t84 * t88
+    t93 = t89 * t89 + t90 * t90 + t91 * t91 + t92 * t92
+    t94 = t86 - t87 * t88
+    t95 = np.sqrt((t93 + t94 * t94))
+    t96 = np.where(t95 != 0.0, 1, 0.0)
+    t97 = t96 / (t95 + (1 - t96))
+    t98 = t89 * t97
+    t99 = t91 * t97
+    t100 = t90 * t97
+    t101 = t92 * t97
+    t102 = t49 * t99 - (t32 * t98 + t47 * t100) - t43 * t101
+    t103 = t94 * t97
+    t104 = t102 + t40 * t103
+    t105 = t98 + t32 * t104
+    t106 = t100 + t47 * t104
+    t107 = t99 - t49 * t104
+    t108 = t101 + t43 * t104
+    t109 = t73 * t105 + t80 * t106 - t82 * t107 + t84 * t108
+    t110 = t103 - t40 * t104
+    t111 = t109 + t87 * t110
+    t112 = t105 - t73 * t111
+    t113 = t106 - t80 * t111
+    t114 = t107 + t82 * t111
+    t115 = t108 - t84 * t111
+    t116 = t112 * t112 + t113 * t113 + t114 * t114 + t115 * t115
+    t117 = t110 - t87 * t111
+    t118 = np.sqrt((t116 + t117 * t117))
+    t119 = np.where(t118 != 0.0, 1, 0.0)
+    t120 = t119 / (t118 + (1 - t119))
+    t121 = t112 * t120
+    t122 = t113 * t120
+    t123 = -(t32 * t47 + t73 * t80 + t121 * t122)
+    t124 = t114 * t120
+    t125 = t32 * t49 + t73 * t82 - t121 * t124
+    t126 = t115 * t120
+    t127 = -(t32 * t43 + t73 * t84 + t121 * t126)
+    t128 = t117 * t120
+    t129 = t32 * t40 - t73 * t87 - t121 * t128
+    t130 = t47 * t49 + t80 * t82 - t122 * t124
+    t131 = -(t43 * t47 + t80 * t84 + t122 * t126)
+    t132 = t40 * t47 - t80 * t87 - t122 * t128
+    t133 = t43 * t49 + t82 * t84 - t124 * t126
+    t134 = t82 * t87 - t40 * t49 - t124 * t128
+    t135 = t40 * t43 - t84 * t87 - t126 * t128
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = t68 - np.where(t112 != 0.0, np.where(t112 != 0.0, t113 * t113, 0.0), 0.0)
-    null_projector[..., 1] = t116
-    null_projector[..., 2] = t119
-    null_projector[..., 3] = t122
-    null_projector[..., 4] = t125
+    null_projector[..., 0] = 1 - t32 * t32 - t73 * t73 - t121 * t121
+    null_projector[..., 1] = t123
+    null_projector[..., 2] = t125
+    null_projector[..., 3] = t127
+    null_projector[..., 4] = t129
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t116
-    null_projector[..., 7] = t126 - np.where(t112 != 0.0, np.where(t112 != 0.0, t115 * t115, 0.0), 0.0)
-    null_projector[..., 8] = t128
-    null_projector[..., 9] = t130
+    null_projector[..., 6] = t123
+    null_projector[..., 7] = 1 - t47 * t47 - t80 * t80 - t122 * t122
+    null_projector[..., 8] = t130
+    null_projector[..., 9] = t131
     null_projector[..., 10] = t132
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t119
-    null_projector[..., 13] = t128
-    null_projector[..., 14] = t133 - np.where(t112 != 0.0, np.where(t112 != 0.0, t118 * t118, 0.0), 0.0)
-    null_projector[..., 15] = t135
-    null_projector[..., 16] = t137
+    null_projector[..., 12] = t125
+    null_projector[..., 13] = t130
+    null_projector[..., 14] = 1 - t49 * t49 - t82 * t82 - t124 * t124
+    null_projector[..., 15] = t133
+    null_projector[..., 16] = t134
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t122
-    null_projector[..., 19] = t130
-    null_projector[..., 20] = t135
-    null_projector[..., 21] = t138 - np.where(t112 != 0.0, np.where(t112 != 0.0, t121 * t121, 0.0), 0.0)
-    null_projector[..., 22] = t140
+    null_projector[..., 18] = t127
+    null_projector[..., 19] = t131
+    null_projector[..., 20] = t133
+    null_projector[..., 21] = 1 - t43 * t43 - t84 * t84 - t126 * t126
+    null_projector[..., 22] = t135
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t125
+    null_projector[..., 24] = t129
     null_projector[..., 25] = t132
-    null_projector[..., 26] = t137
-    null_projector[..., 27] = t140
-    null_projector[..., 28] = t141 - np.where(t112 != 0.0, np.where(t112 != 0.0, t124 * t124, 0.0), 0.0)
+    null_projector[..., 26] = t134
+    null_projector[..., 27] = t135
+    null_projector[..., 28] = 1 - t40 * t40 - t87 * t87 - t128 * t128
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

@@ -1,6 +1,6 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f.
- * 53 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec.
+ * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "motion_rest_to_rest.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f";
+const char motion_rest_to_rest_digest[] = "928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec";
 #endif
 
 #define LANES 64

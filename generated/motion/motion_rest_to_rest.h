@@ -1,6 +1,6 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f.
- * 53 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec.
+ * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -33,7 +33,7 @@ void motion_rest_to_rest_batchf(ptrdiff_t count, char *const *args, const ptrdif
 /* peak speed, ramp and cruise of a move from rest to rest in a given time, with the acceleration given.
  *   in   move[3] = (distance, acceleration, duration)
  *   out  profile[4]
- *   17 operations */
+ *   19 operations */
 void motion_rest_to_rest_in(const double *move, double *profile);
 void motion_rest_to_rest_in_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void motion_rest_to_rest_inf(const float *move, float *profile);
@@ -42,7 +42,7 @@ void motion_rest_to_rest_in_batchf(ptrdiff_t count, char *const *args, const ptr
 /* distance and speed at a time of a move from rest to rest.
  *   in   instant[4] = (peak, ramp, cruise, time)
  *   out  state[2]
- *   25 operations */
+ *   26 operations */
 void motion_rest_to_rest_state(const double *instant, double *state);
 void motion_rest_to_rest_state_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void motion_rest_to_rest_statef(const float *instant, float *state);

@@ -1,7 +1,7 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f.
-53 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec.
+56 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -39,7 +39,7 @@ def rest_to_rest(move):
 
 
 def rest_to_rest_in(move):
-    """peak speed, ramp and cruise of a move from rest to rest in a given time, with the acceleration given: 17 operations.
+    """peak speed, ramp and cruise of a move from rest to rest in a given time, with the acceleration given: 19 operations.
 
     in   move[3] = (distance, acceleration, duration)
     out  profile[4]
@@ -49,8 +49,8 @@ def rest_to_rest_in(move):
     _real = np.result_type(move, np.float32)
 
     # inputs, sines and cosines
-    duration = move[..., 2]
     distance = move[..., 0]
+    duration = move[..., 2]
     acceleration = move[..., 1]
 
     # terms
@@ -58,19 +58,20 @@ def rest_to_rest_in(move):
     t2 = (t1 + t1) / np.sqrt(acceleration)
     t3 = np.sqrt(np.maximum(0.0, duration - t2)) * np.sqrt((duration + t2))
     t4 = 0.5 * duration + 0.5 * t3
-    t5 = distance / t4
+    t5 = np.where(t4 != 0.0, 1, 0.0)
+    t6 = distance * (t5 / (t4 + (1 - t5)))
 
     # results
     profile = np.empty((*_leading, 4), _real)
-    profile[..., 0] = np.where(t4 != 0.0, t5, 0.0)
-    profile[..., 1] = np.where(t4 != 0.0, t5 / acceleration, 0.0)
+    profile[..., 0] = t6
+    profile[..., 1] = t6 / acceleration
     profile[..., 2] = t3
     profile[..., 3] = duration
     return profile.reshape(_leading + (4,))
 
 
 def rest_to_rest_state(instant):
-    """distance and speed at a time of a move from rest to rest: 25 operations.
+    """distance and speed at a time of a move from rest to rest: 26 operations.
 
     in   instant[4] = (peak, ramp, cruise, time)
     out  state[2]
@@ -87,12 +88,13 @@ def rest_to_rest_state(instant):
 
     # terms
     t1 = np.maximum(0.0, np.minimum(ramp, time - cruise - ramp))
-    t2 = peak / ramp
-    t3 = t1 * (peak - np.where(ramp != 0.0, 0.5 * t1 * t2, 0.0)) + peak * np.maximum(0.0, np.minimum(cruise, time - ramp))
-    t4 = np.maximum(0.0, np.minimum(ramp, time))
+    t2 = np.where(ramp != 0.0, 1, 0.0)
+    t3 = peak * (t2 / (ramp + (1 - t2)))
+    t4 = t1 * (peak - 0.5 * t1 * t3) + peak * np.maximum(0.0, np.minimum(cruise, time - ramp))
+    t5 = np.maximum(0.0, np.minimum(ramp, time))
 
     # results
     state = np.empty((*_leading, 2), _real)
-    state[..., 0] = t3 + np.where(ramp != 0.0, t4 * (0.5 * (t2 * t4)), 0.0)
-    state[..., 1] = np.where(ramp != 0.0, t2 * (t4 - t1), 0.0)
+    state[..., 0] = t4 + t5 * (0.5 * (t3 * t5))
+    state[..., 1] = t3 * (t5 - t1)
     return state.reshape(_leading + (2,))

@@ -1,6 +1,6 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs ab236c447033f6ca071101304c97ba39f872199882e78f6d8b7b6389020e5fa9.
- * 2258 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs d2ab704a0c66ffe13e4beaab0ab6e0b2f1af15e2b39f5717fa9483ff1be54810.
+ * 2072 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_cuspidality.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "ab236c447033f6ca071101304c97ba39f872199882e78f6d8b7b6389020e5fa9";
+const char orthogonal_3r_cuspidality_digest[] = "d2ab704a0c66ffe13e4beaab0ab6e0b2f1af15e2b39f5717fa9483ff1be54810";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs ab236c447033f6ca071101304c97ba39f872199882e78f6d8b7b6389020e5fa9.
- * 2258 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs d2ab704a0c66ffe13e4beaab0ab6e0b2f1af15e2b39f5717fa9483ff1be54810.
+ * 2072 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -118,7 +118,7 @@ void orthogonal_3r_unturned_batchf(ptrdiff_t count, char *const *args, const ptr
  *   in   target[2] = (rho_squared, z)
  *   out  number (one number)
  *   out  margin (one number)
- *   198 operations */
+ *   172 operations */
 void orthogonal_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin);
 void orthogonal_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void orthogonal_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin);
@@ -133,7 +133,7 @@ void orthogonal_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args,
  *   out  slope[4]
  *   out  number (one number)
  *   out  margin (one number)
- *   1540 operations */
+ *   1380 operations */
 void orthogonal_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin);
 void orthogonal_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void orthogonal_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin);

@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1c98de03df02c2b56b79a76593821687de27b186882c3f8a6f3ad7a05dd5a0d9.
+Made from templates/kernel.py.j2; inputs 901ef2859ab14e16b0a87d0086986b53150bcf65ab8594b545f55ac525a9687f.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 728be0d5ac25d01753a1651ab0ddaa7251fb57b168318914920a7712a7bd7636.
+Made from templates/kernel.py.j2; inputs 09becb3b188b814f14b42d7cb677394546e09467e7e482241d094a661c55d584.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

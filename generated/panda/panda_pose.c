@@ -1,6 +1,6 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
- * 2645 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454.
+ * 2020 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d";
+const char panda_pose_digest[] = "16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454";
 #endif
 
 #define LANES 64

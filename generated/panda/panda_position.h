@@ -1,6 +1,6 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
- * 1852 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454.
+ * 1582 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void panda_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   711 operations */
+ *   441 operations */
 void panda_null_projector_position(const double *q, double *null_projector);
 void panda_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void panda_null_projector_positionf(const float *q, float *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
-1852 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454.
+1582 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -479,7 +479,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 711 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 441 operations.
 
     in   q[7]
     out  null_projector[7][7]
@@ -530,187 +530,180 @@ def null_projector_position(q):
     t22 = t1 * t6 + c5 * t21
     t23 = 0.011448999999999999 + t15 * t15 + t18 * t18 + t20 * t20 + t22 * t22
     t24 = np.sqrt(t23)
-    t25 = t15 / t24
-    t26 = t18 / t24
-    t27 = t20 / t24
-    t28 = t22 / t24
-    t29 = t25 * t25 + t26 * t26 + t27 * t27 + t28 * t28
-    t30 = 0.107 / t24
-    t31 = np.sqrt(np.where(t24 != 0.0, np.where(t24 != 0.0, t29 + t30 * t30, 0.0), 0.0))
-    t32 = t25 / t31
-    t33 = c5 * c6
-    t34 = c4 * t33 - s4 * s6
-    t35 = s5 * c6
-    t36 = c4 * s6 + s4 * t33
-    t37 = s2 * (c3 * t34 - s3 * t35) - c2 * t36
-    t38 = 0.0825 * t33 - 0.384 * s6
-    t39 = t38 - 0.0825 * t34
-    t40 = 0.088 - (t39 - 0.316 * t36)
-    t41 = t5 * t37 + t14 * t40
-    t42 = t30 / t31
-    t43 = t26 / t31
-    t44 = c3 * t35 + s3 * t34
-    t45 = t5 * t44 + t17 * t40
-    t46 = t27 / t31
-    t47 = 0.088 - t39
-    t48 = t3 * t36 + t4 * t47
-    t49 = 0.088 * t42 - t32 * t41 + t43 * t45 - t46 * t48
-    t50 = t28 / t31
-    t51 = 0.088 - t38
-    t52 = c5 * t51 - t1 * t35
-    t53 = t49 - t50 * t52
-    t54 = t41 + np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t53, 0.0), 0.0), 0.0), 0.0)
-    t55 = t45 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t53, 0.0), 0.0), 0.0), 0.0)
-    t56 = t48 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t53), 0.0), 0.0), 0.0), 0.0)
-    t57 = t52 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t53), 0.0), 0.0), 0.0), 0.0)
-    t58 = t54 * t54 + t55 * t55 + t56 * t56 + t57 * t57
-    t59 = 0.088 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t53, 0.0), 0.0), 0.0), 0.0)
-    t60 = np.sqrt((t58 + t59 * t59))
-    t61 = t54 / t60
-    t62 = t55 / t60
-    t63 = t56 / t60
-    t64 = t57 / t60
-    t65 = t43 * t62 - t32 * t61 - t46 * t63 - t50 * t64
-    t66 = t59 / t60
-    t67 = t65 + t42 * t66
-    t68 = np.where(t60 != 0.0, -t61, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t67, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t69 = np.where(t60 != 0.0, t62, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t67, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t70 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t67), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t71 = np.where(t60 != 0.0, t63, 0.0) - t70
-    t72 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t67), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t73 = np.where(t60 != 0.0, t64, 0.0) - t72
-    t74 = t68 * t68 + t69 * t69 + t71 * t71 + t73 * t73
-    t75 = np.where(t60 != 0.0, t66, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t60 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t67, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t76 = np.sqrt((t74 + t75 * t75))
-    t77 = t68 / t76
-    t78 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t32, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t77, 0.0), 0.0)
-    t79 = t10 * t40 - t13 * t37
-    t80 = t13 * t44 + t16 * t40
-    t81 = t19 * t36 - t9 * t47
-    t82 = t6 * t51 + t21 * t35
-    t83 = t32 * t79 + t43 * t80 - t46 * t81 + t50 * t82
-    t84 = t79 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t83, 0.0), 0.0), 0.0), 0.0)
-    t85 = t80 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t83, 0.0), 0.0), 0.0), 0.0)
-    t86 = t69 / t76
-    t87 = t81 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t83), 0.0), 0.0), 0.0), 0.0)
-    t88 = t71 / t76
-    t89 = t82 + np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t83), 0.0), 0.0), 0.0), 0.0)
-    t90 = t73 / t76
-    t91 = t77 * t84 + t85 * t86 + t87 * t88 - t89 * t90
-    t92 = t42 * t83
-    t93 = t75 / t76
-    t94 = t91 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t92 * t93, 0.0), 0.0), 0.0), 0.0)
-    t95 = t84 - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t94, 0.0), 0.0)
-    t96 = t85 - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t94, 0.0), 0.0)
-    t97 = t87 - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t94, 0.0), 0.0)
-    t98 = t89 + np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t94, 0.0), 0.0)
-    t99 = t95 * t95 + t96 * t96 + t97 * t97 + t98 * t98
-    t100 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t92, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t94, 0.0), 0.0)
-    t101 = -0.107 * s6 - 0.088 * c6
-    t102 = np.sqrt((t99 + t100 * t100 + t101 * t101))
-    t103 = t95 / t102
-    t104 = t96 / t102
-    t105 = t97 / t102
-    t106 = t98 / t102
-    t107 = t32 * t103 + t43 * t104 - t46 * t105 + t50 * t106
-    t108 = t100 / t102
-    t109 = t107 - t42 * t108
-    t110 = np.where(t102 != 0.0, t103, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t109, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t111 = np.where(t102 != 0.0, t104, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t109, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t112 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t46 * t109), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t113 = np.where(t102 != 0.0, t105, 0.0) - t112
-    t114 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t50 * t109), 0.0), 0.0), 0.0), 0.0), 0.0)
-    t115 = np.where(t102 != 0.0, -t106, 0.0) - t114
-    t116 = t77 * t110 + t86 * t111 + t88 * t113 + t90 * t115
-    t117 = np.where(t102 != 0.0, -t108, 0.0) - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t102 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t109, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t118 = t116 + t93 * t117
-    t119 = t110 - np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t118, 0.0), 0.0)
-    t120 = t111 - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t118, 0.0), 0.0)
-    t121 = t113 - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t118, 0.0), 0.0)
-    t122 = t115 - np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t118, 0.0), 0.0)
-    t123 = t119 * t119 + t120 * t120 + t121 * t121 + t122 * t122
-    t124 = t117 - np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t118, 0.0), 0.0)
-    t125 = t101 / t102
-    t126 = np.sqrt((t123 + t124 * t124 + np.where(t102 != 0.0, np.where(t102 != 0.0, t125 * t125, 0.0), 0.0)))
-    t127 = t119 / t126
-    t128 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t43, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t86, 0.0), 0.0)
-    t129 = t120 / t126
-    t130 = -(t128 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t129, 0.0), 0.0))
-    t131 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t32 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t88, 0.0), 0.0)
-    t132 = t121 / t126
-    t133 = -(t131 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t132, 0.0), 0.0))
-    t134 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t32 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t90, 0.0), 0.0)
-    t135 = t122 / t126
-    t136 = -(t134 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t135, 0.0), 0.0))
-    t137 = t125 / t126
-    t138 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t137, 0.0), 0.0), 0.0)
-    t139 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t32 * t42, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t77 * t93, 0.0), 0.0)
-    t140 = t124 / t126
-    t141 = -(t139 + np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t140, 0.0), 0.0))
-    t142 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t43 * t43, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t86, 0.0), 0.0)
-    t143 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t43 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t88, 0.0), 0.0)
-    t144 = -(t143 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t132, 0.0), 0.0))
-    t145 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t43 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t90, 0.0), 0.0)
-    t146 = -(t145 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t135, 0.0), 0.0))
-    t147 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t137, 0.0), 0.0), 0.0)
-    t148 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t43, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t86 * t93, 0.0), 0.0)
-    t149 = -(t148 + np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t140, 0.0), 0.0))
-    t150 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t46 * t46, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t88, 0.0), 0.0)
-    t151 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t46 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t90, 0.0), 0.0)
-    t152 = -(t151 + np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t135, 0.0), 0.0))
-    t153 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t137, 0.0), 0.0), 0.0)
-    t154 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t42 * t46), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t88 * t93, 0.0), 0.0)
-    t155 = -(t154 + np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t140, 0.0), 0.0))
-    t156 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t90, 0.0), 0.0)
-    t157 = -np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t137, 0.0), 0.0), 0.0)
-    t158 = np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, -(t42 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t76 != 0.0, np.where(t76 != 0.0, t90 * t93, 0.0), 0.0)
-    t159 = -(t158 + np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t140, 0.0), 0.0))
-    t160 = -np.where(t126 != 0.0, np.where(t102 != 0.0, np.where(t126 != 0.0, t137 * t140, 0.0), 0.0), 0.0)
-    t161 = 1 - np.where(t24 != 0.0, np.where(t31 != 0.0, np.where(t24 != 0.0, np.where(t31 != 0.0, t42 * t42, 0.0), 0.0), 0.0), 0.0) - np.where(t76 != 0.0, np.where(t76 != 0.0, t93 * t93, 0.0), 0.0)
+    t25 = np.where(t24 != 0.0, 1, 0.0)
+    t26 = t25 / (t24 + (1 - t25))
+    t27 = t15 * t26
+    t28 = t18 * t26
+    t29 = t20 * t26
+    t30 = t22 * t26
+    t31 = t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
+    t32 = 0.107 * t26
+    t33 = np.sqrt((t31 + t32 * t32))
+    t34 = np.where(t33 != 0.0, 1, 0.0)
+    t35 = t34 / (t33 + (1 - t34))
+    t36 = t27 * t35
+    t37 = c5 * c6
+    t38 = c4 * t37 - s4 * s6
+    t39 = s5 * c6
+    t40 = c4 * s6 + s4 * t37
+    t41 = s2 * (c3 * t38 - s3 * t39) - c2 * t40
+    t42 = 0.0825 * t37 - 0.384 * s6
+    t43 = t42 - 0.0825 * t38
+    t44 = 0.088 - (t43 - 0.316 * t40)
+    t45 = t5 * t41 + t14 * t44
+    t46 = t32 * t35
+    t47 = t28 * t35
+    t48 = c3 * t39 + s3 * t38
+    t49 = t5 * t48 + t17 * t44
+    t50 = t29 * t35
+    t51 = 0.088 - t43
+    t52 = t3 * t40 + t4 * t51
+    t53 = 0.088 * t46 - t36 * t45 + t47 * t49 - t50 * t52
+    t54 = t30 * t35
+    t55 = 0.088 - t42
+    t56 = c5 * t55 - t1 * t39
+    t57 = t53 - t54 * t56
+    t58 = t45 + t36 * t57
+    t59 = t49 - t47 * t57
+    t60 = t52 + t50 * t57
+    t61 = t56 + t54 * t57
+    t62 = t58 * t58 + t59 * t59 + t60 * t60 + t61 * t61
+    t63 = 0.088 - t46 * t57
+    t64 = np.sqrt((t62 + t63 * t63))
+    t65 = np.where(t64 != 0.0, 1, 0.0)
+    t66 = t65 / (t64 + (1 - t65))
+    t67 = t58 * t66
+    t68 = t59 * t66
+    t69 = t60 * t66
+    t70 = t61 * t66
+    t71 = t47 * t68 - t36 * t67 - t50 * t69 - t54 * t70
+    t72 = t63 * t66
+    t73 = t71 + t46 * t72
+    t74 = t67 + t36 * t73
+    t75 = t68 - t47 * t73
+    t76 = t69 + t50 * t73
+    t77 = t70 + t54 * t73
+    t78 = t74 * t74 + t75 * t75 + t76 * t76 + t77 * t77
+    t79 = t72 - t46 * t73
+    t80 = np.sqrt((t78 + t79 * t79))
+    t81 = np.where(t80 != 0.0, 1, 0.0)
+    t82 = t81 / (t80 + (1 - t81))
+    t83 = t74 * t82
+    t84 = t10 * t44 - t13 * t41
+    t85 = t13 * t48 + t16 * t44
+    t86 = t19 * t40 - t9 * t51
+    t87 = t6 * t55 + t21 * t39
+    t88 = t36 * t84 + t47 * t85 - t50 * t86 + t54 * t87
+    t89 = t84 - t36 * t88
+    t90 = t85 - t47 * t88
+    t91 = t75 * t82
+    t92 = t86 + t50 * t88
+    t93 = t76 * t82
+    t94 = t54 * t88 - t87
+    t95 = t77 * t82
+    t96 = t90 * t91 - t83 * t89 + t92 * t93 + t94 * t95
+    t97 = t46 * t88
+    t98 = t79 * t82
+    t99 = t96 - t97 * t98
+    t100 = t89 + t83 * t99
+    t101 = t90 - t91 * t99
+    t102 = t92 - t93 * t99
+    t103 = t94 - t95 * t99
+    t104 = t100 * t100 + t101 * t101 + t102 * t102 + t103 * t103
+    t105 = t97 + t98 * t99
+    t106 = -0.107 * s6 - 0.088 * c6
+    t107 = np.sqrt((t104 + t105 * t105 + t106 * t106))
+    t108 = np.where(t107 != 0.0, 1, 0.0)
+    t109 = t108 / (t107 + (1 - t108))
+    t110 = t100 * t109
+    t111 = t101 * t109
+    t112 = t102 * t109
+    t113 = t103 * t109
+    t114 = t36 * t110 + t47 * t111 - t50 * t112 - t54 * t113
+    t115 = t105 * t109
+    t116 = t114 - t46 * t115
+    t117 = t110 - t36 * t116
+    t118 = t111 - t47 * t116
+    t119 = t112 + t50 * t116
+    t120 = t113 + t54 * t116
+    t121 = t91 * t118 - t83 * t117 + t93 * t119 + t95 * t120
+    t122 = t115 + t46 * t116
+    t123 = t121 - t98 * t122
+    t124 = t117 + t83 * t123
+    t125 = t118 - t91 * t123
+    t126 = t119 - t93 * t123
+    t127 = t120 - t95 * t123
+    t128 = t124 * t124 + t125 * t125 + t126 * t126 + t127 * t127
+    t129 = t122 + t98 * t123
+    t130 = t106 * t109
+    t131 = np.sqrt((t128 + t129 * t129 + t130 * t130))
+    t132 = np.where(t131 != 0.0, 1, 0.0)
+    t133 = t132 / (t131 + (1 - t132))
+    t134 = t124 * t133
+    t135 = t125 * t133
+    t136 = t83 * t91 - t36 * t47 - t134 * t135
+    t137 = t126 * t133
+    t138 = t36 * t50 + t83 * t93 - t134 * t137
+    t139 = t127 * t133
+    t140 = t36 * t54 + t83 * t95 - t134 * t139
+    t141 = t130 * t133
+    t142 = -(t134 * t141)
+    t143 = t129 * t133
+    t144 = t83 * t98 - t36 * t46 + t134 * t143
+    t145 = t47 * t50 - t91 * t93 - t135 * t137
+    t146 = t47 * t54 - t91 * t95 - t135 * t139
+    t147 = -(t135 * t141)
+    t148 = t135 * t143 - (t46 * t47 + t91 * t98)
+    t149 = -(t50 * t54 + t93 * t95 + t137 * t139)
+    t150 = -(t137 * t141)
+    t151 = t46 * t50 - t93 * t98 + t137 * t143
+    t152 = -(t139 * t141)
+    t153 = t46 * t54 - t95 * t98 + t139 * t143
+    t154 = t141 * t143
 
     # results
     null_projector = np.empty((*_leading, 49), _real)
-    null_projector[..., 0] = t78 - np.where(t126 != 0.0, np.where(t126 != 0.0, t127 * t127, 0.0), 0.0)
-    null_projector[..., 1] = t130
-    null_projector[..., 2] = t133
-    null_projector[..., 3] = t136
-    null_projector[..., 4] = t138
-    null_projector[..., 5] = t141
+    null_projector[..., 0] = 1 - t36 * t36 - t83 * t83 - t134 * t134
+    null_projector[..., 1] = t136
+    null_projector[..., 2] = t138
+    null_projector[..., 3] = t140
+    null_projector[..., 4] = t142
+    null_projector[..., 5] = t144
     null_projector[..., 6] = 0.0
-    null_projector[..., 7] = t130
-    null_projector[..., 8] = t142 - np.where(t126 != 0.0, np.where(t126 != 0.0, t129 * t129, 0.0), 0.0)
-    null_projector[..., 9] = t144
+    null_projector[..., 7] = t136
+    null_projector[..., 8] = 1 - t47 * t47 - t91 * t91 - t135 * t135
+    null_projector[..., 9] = t145
     null_projector[..., 10] = t146
     null_projector[..., 11] = t147
-    null_projector[..., 12] = t149
+    null_projector[..., 12] = t148
     null_projector[..., 13] = 0.0
-    null_projector[..., 14] = t133
-    null_projector[..., 15] = t144
-    null_projector[..., 16] = t150 - np.where(t126 != 0.0, np.where(t126 != 0.0, t132 * t132, 0.0), 0.0)
-    null_projector[..., 17] = t152
-    null_projector[..., 18] = t153
-    null_projector[..., 19] = t155
+    null_projector[..., 14] = t138
+    null_projector[..., 15] = t145
+    null_projector[..., 16] = 1 - t50 * t50 - t93 * t93 - t137 * t137
+    null_projector[..., 17] = t149
+    null_projector[..., 18] = t150
+    null_projector[..., 19] = t151
     null_projector[..., 20] = 0.0
-    null_projector[..., 21] = t136
+    null_projector[..., 21] = t140
     null_projector[..., 22] = t146
-    null_projector[..., 23] = t152
-    null_projector[..., 24] = t156 - np.where(t126 != 0.0, np.where(t126 != 0.0, t135 * t135, 0.0), 0.0)
-    null_projector[..., 25] = t157
-    null_projector[..., 26] = t159
+    null_projector[..., 23] = t149
+    null_projector[..., 24] = 1 - t54 * t54 - t95 * t95 - t139 * t139
+    null_projector[..., 25] = t152
+    null_projector[..., 26] = t153
     null_projector[..., 27] = 0.0
-    null_projector[..., 28] = t138
+    null_projector[..., 28] = t142
     null_projector[..., 29] = t147
-    null_projector[..., 30] = t153
-    null_projector[..., 31] = t157
-    null_projector[..., 32] = 1 - np.where(t102 != 0.0, np.where(t126 != 0.0, np.where(t102 != 0.0, np.where(t126 != 0.0, t137 * t137, 0.0), 0.0), 0.0), 0.0)
-    null_projector[..., 33] = t160
+    null_projector[..., 30] = t150
+    null_projector[..., 31] = t152
+    null_projector[..., 32] = 1 - t141 * t141
+    null_projector[..., 33] = t154
     null_projector[..., 34] = 0.0
-    null_projector[..., 35] = t141
-    null_projector[..., 36] = t149
-    null_projector[..., 37] = t155
-    null_projector[..., 38] = t159
-    null_projector[..., 39] = t160
-    null_projector[..., 40] = t161 - np.where(t126 != 0.0, np.where(t126 != 0.0, t140 * t140, 0.0), 0.0)
+    null_projector[..., 35] = t144
+    null_projector[..., 36] = t148
+    null_projector[..., 37] = t151
+    null_projector[..., 38] = t153
+    null_projector[..., 39] = t154
+    null_projector[..., 40] = 1 - t46 * t46 - t98 * t98 - t143 * t143
     null_projector[..., 41] = 0.0
     null_projector[..., 42] = 0.0
     null_projector[..., 43] = 0.0

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.c: kinematics of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 7e1b5dd906e0ee51f7f4c797666a69ad264b736184c2a7a0619059730c777681.
+ * Made from templates/kernel.c.j2; inputs 13d5b82c1007189cbef4114838bfa3761047a6b52871bd6fdd583e858179a944.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_kinematics_digest[] = "7e1b5dd906e0ee51f7f4c797666a69ad264b736184c2a7a0619059730c777681";
+const char planar_ppp_kinematics_digest[] = "13d5b82c1007189cbef4114838bfa3761047a6b52871bd6fdd583e858179a944";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 7e1b5dd906e0ee51f7f4c797666a69ad264b736184c2a7a0619059730c777681.
+ * Made from templates/kernel.h.j2; inputs 13d5b82c1007189cbef4114838bfa3761047a6b52871bd6fdd583e858179a944.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

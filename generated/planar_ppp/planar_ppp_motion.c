@@ -1,6 +1,6 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94.
- * 153 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs bbdf527a048a31204ec13741e0c794b3ce502ecaa6caf599586f44cd0f4d0aab.
+ * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94";
+const char planar_ppp_motion_digest[] = "bbdf527a048a31204ec13741e0c794b3ce502ecaa6caf599586f44cd0f4d0aab";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94.
- * 153 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs bbdf527a048a31204ec13741e0c794b3ce502ecaa6caf599586f44cd0f4d0aab.
+ * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_ppp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   153 operations */
+ *   120 operations */
 void planar_ppp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_ppp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

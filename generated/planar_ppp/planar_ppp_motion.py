@@ -1,7 +1,7 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94.
-153 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs bbdf527a048a31204ec13741e0c794b3ce502ecaa6caf599586f44cd0f4d0aab.
+120 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 153 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 120 operations.
 
     in   q[3]
     in   parameters[6] = (l1, l2, l3, heading1, heading2, heading3)
@@ -70,25 +70,21 @@ def tip_motion(q, parameters, rates, second, third):
     t13 = sin_heading1 * dddq1 + t4 * dddq2 + t7 * dddq3
     t14 = np.sqrt((t8 * t8 + t9 * t9))
     t15 = t8 * t11 - t9 * t10
-    t16 = 1 / t14
-    t17 = t16 * t16
-    t18 = t8 * t13 - t9 * t12
-    t19 = t17 * t17
-    t20 = 1.5 * t15
-    t21 = t8 + t8
-    t22 = t9 + t9
-    t23 = t10 * t21 + t11 * t22
-    t24 = t17 * t19
-    t25 = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t20 * t23 * t24, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t26 = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t18 * t19, 0.0), 0.0), 0.0), 0.0) - np.where(t14 != 0.0, t25, 0.0)
-    t27 = np.where(t14 != 0.0, 4.5 * t15 / t14 * (t23 * t23) * (t17 * t24), 0.0)
-    t28 = t19 * ((t10 * t13 - t11 * t12) / t14) + np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t27, 0.0), 0.0), 0.0)
-    t29 = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t24 * (t23 * (3.5 * t18) / t14), 0.0), 0.0), 0.0)
-    t30 = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t28, 0.0), 0.0), 0.0), 0.0), 0.0) - np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t29, 0.0), 0.0), 0.0), 0.0)
-    t31 = t10 * t10
-    t32 = t11 * t11
-    t33 = t31 + t31 + (t32 + t32) + t12 * t21 + t13 * t22
-    t34 = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t24 * (t20 * t33 / t14), 0.0), 0.0), 0.0), 0.0)
+    t16 = np.where(t14 != 0.0, 1, 0.0)
+    t17 = t16 / (t14 + (1 - t16))
+    t18 = t17 * t17
+    t19 = t8 * t13 - t9 * t12
+    t20 = t18 * t18
+    t21 = 1.5 * t15
+    t22 = t8 + t8
+    t23 = t9 + t9
+    t24 = t10 * t22 + t11 * t23
+    t25 = t18 * t20
+    t26 = t20 * (t17 * (t10 * t13 - t11 * t12)) + t17 * (4.5 * t15) * (t24 * t24) * (t18 * t25)
+    t27 = t10 * t10
+    t28 = t11 * t11
+    t29 = t27 + t27 + (t28 + t28) + t12 * t22 + t13 * t23
+    t30 = t26 - t25 * (t17 * (t24 * (3.5 * t19))) - t25 * (t17 * (t21 * t29))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -104,7 +100,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = 0.0
     derivatives[..., 9] = 0.0
     path[..., 0] = t14
-    path[..., 1] = np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t15 / t14 * t17, 0.0), 0.0), 0.0)
-    path[..., 2] = t26
-    path[..., 3] = t30 - np.where(t14 != 0.0, np.where(t14 != 0.0, np.where(t14 != 0.0, t34, 0.0), 0.0), 0.0)
+    path[..., 1] = t15 * t17 * t18
+    path[..., 2] = t19 * t20 - t21 * t24 * t25
+    path[..., 3] = t30
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

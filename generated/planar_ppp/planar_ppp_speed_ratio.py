@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cf0ff6da409417a7faeefd8538cae28272849c9ede9ff14748bd98e65593bc0.
+Made from templates/kernel.py.j2; inputs 4561ff9cae0eacc8d2679bf3a135fe51c42fe1aa8d7157d38eb545a0219c18af.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7.
+Made from templates/kernel.py.j2; inputs a7296998057d8aacd0a4703ae97474bf28906ee871e44c9c82475af2251487d4.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

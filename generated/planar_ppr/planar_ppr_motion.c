@@ -1,6 +1,6 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs d5f1ae468b0fc85e9466e1cc2a03bad12a296767568b9dc651646101d2c19623.
- * 194 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 42d5d7dddaac77fa1b968b64909371a59c89968cf97ad01f5df56b04b8d7dec9.
+ * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_ppr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "d5f1ae468b0fc85e9466e1cc2a03bad12a296767568b9dc651646101d2c19623";
+const char planar_ppr_motion_digest[] = "42d5d7dddaac77fa1b968b64909371a59c89968cf97ad01f5df56b04b8d7dec9";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs d5f1ae468b0fc85e9466e1cc2a03bad12a296767568b9dc651646101d2c19623.
- * 194 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 42d5d7dddaac77fa1b968b64909371a59c89968cf97ad01f5df56b04b8d7dec9.
+ * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_ppr_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   194 operations */
+ *   161 operations */
 void planar_ppr_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_ppr_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_ppr_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

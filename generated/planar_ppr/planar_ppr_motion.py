@@ -1,7 +1,7 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d5f1ae468b0fc85e9466e1cc2a03bad12a296767568b9dc651646101d2c19623.
-194 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 42d5d7dddaac77fa1b968b64909371a59c89968cf97ad01f5df56b04b8d7dec9.
+161 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 194 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 161 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading2)
@@ -79,26 +79,22 @@ def tip_motion(q, parameters, rates, second, third):
     t23 = t5 * t21 + t6 * t20
     t24 = np.sqrt((t8 * t8 + t9 * t9))
     t25 = t8 * t14 - t9 * t13
-    t26 = 1 / t24
-    t27 = t26 * t26
-    t28 = t8 * t19 - t9 * t18
-    t29 = t27 * t27
-    t30 = 1.5 * t25
-    t31 = t8 + t8
-    t32 = t9 + t9
-    t33 = t13 * t31 + t14 * t32
-    t34 = t27 * t29
-    t35 = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t30 * t33 * t34, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t36 = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t28 * t29, 0.0), 0.0), 0.0), 0.0) - np.where(t24 != 0.0, t35, 0.0)
-    t37 = t8 * t23 + t13 * t19 - t9 * t22 - t14 * t18
-    t38 = np.where(t24 != 0.0, 4.5 * t25 / t24 * (t33 * t33) * (t27 * t34), 0.0)
-    t39 = np.where(t24 != 0.0, t29 * (t37 / t24) + np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t38, 0.0), 0.0), 0.0), 0.0)
-    t40 = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t34 * (t33 * (3.5 * t28) / t24), 0.0), 0.0), 0.0)
-    t41 = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t39, 0.0), 0.0), 0.0), 0.0) - np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t40, 0.0), 0.0), 0.0), 0.0)
-    t42 = t13 * t13
-    t43 = t14 * t14
-    t44 = t42 + t42 + (t43 + t43) + t18 * t31 + t19 * t32
-    t45 = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t34 * (t30 * t44 / t24), 0.0), 0.0), 0.0), 0.0)
+    t26 = np.where(t24 != 0.0, 1, 0.0)
+    t27 = t26 / (t24 + (1 - t26))
+    t28 = t27 * t27
+    t29 = t8 * t19 - t9 * t18
+    t30 = t28 * t28
+    t31 = 1.5 * t25
+    t32 = t8 + t8
+    t33 = t9 + t9
+    t34 = t13 * t32 + t14 * t33
+    t35 = t28 * t30
+    t36 = t8 * t23 + t13 * t19 - t9 * t22 - t14 * t18
+    t37 = t30 * (t27 * t36) + t27 * (4.5 * t25) * (t34 * t34) * (t28 * t35)
+    t38 = t13 * t13
+    t39 = t14 * t14
+    t40 = t38 + t38 + (t39 + t39) + t18 * t32 + t19 * t33
+    t41 = t37 - t35 * (t27 * (t34 * (3.5 * t29))) - t35 * (t27 * (t31 * t40))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -114,7 +110,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = t22
     derivatives[..., 9] = t23
     path[..., 0] = t24
-    path[..., 1] = np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t25 / t24 * t27, 0.0), 0.0), 0.0)
-    path[..., 2] = t36
-    path[..., 3] = t41 - np.where(t24 != 0.0, np.where(t24 != 0.0, np.where(t24 != 0.0, t45, 0.0), 0.0), 0.0)
+    path[..., 1] = t25 * t27 * t28
+    path[..., 2] = t29 * t30 - t31 * t34 * t35
+    path[..., 3] = t41
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

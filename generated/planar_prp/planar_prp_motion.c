@@ -1,6 +1,6 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
- * 265 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac.
+ * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795";
+const char planar_prp_motion_digest[] = "2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
- * 265 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac.
+ * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_prp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   265 operations */
+ *   232 operations */
 void planar_prp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_prp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_prp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

@@ -1,7 +1,7 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
-265 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac.
+232 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 265 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 232 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading1, heading3)
@@ -97,26 +97,22 @@ def tip_motion(q, parameters, rates, second, third):
     t41 = t2 * t35 + t3 * t34 + t4 * t39 + t6 * t37
     t42 = np.sqrt((t9 * t9 + t10 * t10))
     t43 = t9 * t19 - t10 * t17
-    t44 = 1 / t42
-    t45 = t44 * t44
-    t46 = t9 * t30 - t10 * t28
-    t47 = t45 * t45
-    t48 = 1.5 * t43
-    t49 = t9 + t9
-    t50 = t10 + t10
-    t51 = t17 * t49 + t19 * t50
-    t52 = t45 * t47
-    t53 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t48 * t51 * t52, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t54 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t46 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t42 != 0.0, t53, 0.0)
-    t55 = t9 * t41 + t17 * t30 - t10 * t40 - t19 * t28
-    t56 = np.where(t42 != 0.0, 4.5 * t43 / t42 * (t51 * t51) * (t45 * t52), 0.0)
-    t57 = np.where(t42 != 0.0, t47 * (t55 / t42) + np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t56, 0.0), 0.0), 0.0), 0.0)
-    t58 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t52 * (t51 * (3.5 * t46) / t42), 0.0), 0.0), 0.0)
-    t59 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t57, 0.0), 0.0), 0.0), 0.0) - np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t58, 0.0), 0.0), 0.0), 0.0)
-    t60 = t17 * t17
-    t61 = t19 * t19
-    t62 = t60 + t60 + (t61 + t61) + t28 * t49 + t30 * t50
-    t63 = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t52 * (t48 * t62 / t42), 0.0), 0.0), 0.0), 0.0)
+    t44 = np.where(t42 != 0.0, 1, 0.0)
+    t45 = t44 / (t42 + (1 - t44))
+    t46 = t45 * t45
+    t47 = t9 * t30 - t10 * t28
+    t48 = t46 * t46
+    t49 = 1.5 * t43
+    t50 = t9 + t9
+    t51 = t10 + t10
+    t52 = t17 * t50 + t19 * t51
+    t53 = t46 * t48
+    t54 = t9 * t41 + t17 * t30 - t10 * t40 - t19 * t28
+    t55 = t48 * (t45 * t54) + t45 * (4.5 * t43) * (t52 * t52) * (t46 * t53)
+    t56 = t17 * t17
+    t57 = t19 * t19
+    t58 = t56 + t56 + (t57 + t57) + t28 * t50 + t30 * t51
+    t59 = t55 - t53 * (t45 * (t52 * (3.5 * t47))) - t53 * (t45 * (t49 * t58))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -132,7 +128,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = t40
     derivatives[..., 9] = t41
     path[..., 0] = t42
-    path[..., 1] = np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t43 / t42 * t45, 0.0), 0.0), 0.0)
-    path[..., 2] = t54
-    path[..., 3] = t59 - np.where(t42 != 0.0, np.where(t42 != 0.0, np.where(t42 != 0.0, t63, 0.0), 0.0), 0.0)
+    path[..., 1] = t43 * t45 * t46
+    path[..., 2] = t47 * t48 - t49 * t52 * t53
+    path[..., 3] = t59
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

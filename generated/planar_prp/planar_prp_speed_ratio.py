@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 35ead70d6d02e646448d7a841dafe895dd938325718fe3e1fcc2249c281e60f1.
+Made from templates/kernel.py.j2; inputs bb39b06a88a0e85178591250d4a3deaa49ab934b8064cf02f8dacae2ca6cf013.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

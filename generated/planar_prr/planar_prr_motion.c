@@ -1,6 +1,6 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf.
- * 236 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 06f6f7845e6bae97e68255ef0bb7182334928555b6dfa483884caada9000b54c.
+ * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_prr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf";
+const char planar_prr_motion_digest[] = "06f6f7845e6bae97e68255ef0bb7182334928555b6dfa483884caada9000b54c";
 #endif
 
 #define LANES 64

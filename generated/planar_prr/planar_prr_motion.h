@@ -1,6 +1,6 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs 5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf.
- * 236 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 06f6f7845e6bae97e68255ef0bb7182334928555b6dfa483884caada9000b54c.
+ * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_prr_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   236 operations */
+ *   203 operations */
 void planar_prr_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_prr_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_prr_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

@@ -1,7 +1,7 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf.
-236 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 06f6f7845e6bae97e68255ef0bb7182334928555b6dfa483884caada9000b54c.
+203 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 236 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 203 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading1)
@@ -93,26 +93,22 @@ def tip_motion(q, parameters, rates, second, third):
     t38 = t2 * t34 + t3 * t33 + t4 * t36 + t5 * t35
     t39 = np.sqrt((t9 * t9 + t10 * t10))
     t40 = t9 * t21 - t10 * t19
-    t41 = 1 / t39
-    t42 = t41 * t41
-    t43 = t9 * t32 - t10 * t30
-    t44 = t42 * t42
-    t45 = 1.5 * t40
-    t46 = t9 + t9
-    t47 = t10 + t10
-    t48 = t19 * t46 + t21 * t47
-    t49 = t42 * t44
-    t50 = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t45 * t48 * t49, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t51 = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t43 * t44, 0.0), 0.0), 0.0), 0.0) - np.where(t39 != 0.0, t50, 0.0)
-    t52 = t9 * t38 + t19 * t32 - t10 * t37 - t21 * t30
-    t53 = np.where(t39 != 0.0, 4.5 * t40 / t39 * (t48 * t48) * (t42 * t49), 0.0)
-    t54 = np.where(t39 != 0.0, t44 * (t52 / t39) + np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t53, 0.0), 0.0), 0.0), 0.0)
-    t55 = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t49 * (t48 * (3.5 * t43) / t39), 0.0), 0.0), 0.0)
-    t56 = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t54, 0.0), 0.0), 0.0), 0.0) - np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t55, 0.0), 0.0), 0.0), 0.0)
-    t57 = t19 * t19
-    t58 = t21 * t21
-    t59 = t57 + t57 + (t58 + t58) + t30 * t46 + t32 * t47
-    t60 = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t49 * (t45 * t59 / t39), 0.0), 0.0), 0.0), 0.0)
+    t41 = np.where(t39 != 0.0, 1, 0.0)
+    t42 = t41 / (t39 + (1 - t41))
+    t43 = t42 * t42
+    t44 = t9 * t32 - t10 * t30
+    t45 = t43 * t43
+    t46 = 1.5 * t40
+    t47 = t9 + t9
+    t48 = t10 + t10
+    t49 = t19 * t47 + t21 * t48
+    t50 = t43 * t45
+    t51 = t9 * t38 + t19 * t32 - t10 * t37 - t21 * t30
+    t52 = t45 * (t42 * t51) + t42 * (4.5 * t40) * (t49 * t49) * (t43 * t50)
+    t53 = t19 * t19
+    t54 = t21 * t21
+    t55 = t53 + t53 + (t54 + t54) + t30 * t47 + t32 * t48
+    t56 = t52 - t50 * (t42 * (t49 * (3.5 * t44))) - t50 * (t42 * (t46 * t55))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -128,7 +124,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = t37
     derivatives[..., 9] = t38
     path[..., 0] = t39
-    path[..., 1] = np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t40 / t39 * t42, 0.0), 0.0), 0.0)
-    path[..., 2] = t51
-    path[..., 3] = t56 - np.where(t39 != 0.0, np.where(t39 != 0.0, np.where(t39 != 0.0, t60, 0.0), 0.0), 0.0)
+    path[..., 1] = t40 * t42 * t43
+    path[..., 2] = t44 * t45 - t46 * t49 * t50
+    path[..., 3] = t56
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs d1c69ec0865516916024e9740ca6afd1dae1cab7520b4446a80b8e903f597fba.
+ * Made from templates/kernel.c.j2; inputs fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "d1c69ec0865516916024e9740ca6afd1dae1cab7520b4446a80b8e903f597fba";
+const char planar_rpp_kinematics_digest[] = "fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56";
 #endif
 
 #define LANES 64

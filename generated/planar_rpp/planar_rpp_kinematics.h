@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs d1c69ec0865516916024e9740ca6afd1dae1cab7520b4446a80b8e903f597fba.
+ * Made from templates/kernel.h.j2; inputs fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d1c69ec0865516916024e9740ca6afd1dae1cab7520b4446a80b8e903f597fba.
+Made from templates/kernel.py.j2; inputs fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe.
- * 331 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs b062527f0f48ad1f5a59e2fe5648dfa71652b1fe72bc772f895797ff80ae291b.
+ * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe";
+const char planar_rpp_motion_digest[] = "b062527f0f48ad1f5a59e2fe5648dfa71652b1fe72bc772f895797ff80ae291b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe.
- * 331 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs b062527f0f48ad1f5a59e2fe5648dfa71652b1fe72bc772f895797ff80ae291b.
+ * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_rpp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   331 operations */
+ *   298 operations */
 void planar_rpp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_rpp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

@@ -1,7 +1,7 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe.
-331 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs b062527f0f48ad1f5a59e2fe5648dfa71652b1fe72bc772f895797ff80ae291b.
+298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 331 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 298 operations.
 
     in   q[3]
     in   parameters[5] = (l1, l2, l3, heading2, heading3)
@@ -114,26 +114,22 @@ def tip_motion(q, parameters, rates, second, third):
     t58 = t57 + t4 * t55 + t6 * t53
     t59 = np.sqrt((t11 * t11 + t13 * t13))
     t60 = t11 * t25 - t13 * t23
-    t61 = 1 / t59
-    t62 = t61 * t61
-    t63 = t11 * t39 - t13 * t37
-    t64 = t62 * t62
-    t65 = 1.5 * t60
-    t66 = t11 + t11
-    t67 = t13 + t13
-    t68 = t23 * t66 + t25 * t67
-    t69 = t62 * t64
-    t70 = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t65 * t68 * t69, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t71 = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t63 * t64, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, t70, 0.0)
-    t72 = t11 * t58 + t23 * t39 - t13 * t56 - t25 * t37
-    t73 = np.where(t59 != 0.0, 4.5 * t60 / t59 * (t68 * t68) * (t62 * t69), 0.0)
-    t74 = np.where(t59 != 0.0, t64 * (t72 / t59) + np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t73, 0.0), 0.0), 0.0), 0.0)
-    t75 = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * (t68 * (3.5 * t63) / t59), 0.0), 0.0), 0.0)
-    t76 = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t74, 0.0), 0.0), 0.0), 0.0) - np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t75, 0.0), 0.0), 0.0), 0.0)
-    t77 = t23 * t23
-    t78 = t25 * t25
-    t79 = t77 + t77 + (t78 + t78) + t37 * t66 + t39 * t67
-    t80 = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t69 * (t65 * t79 / t59), 0.0), 0.0), 0.0), 0.0)
+    t61 = np.where(t59 != 0.0, 1, 0.0)
+    t62 = t61 / (t59 + (1 - t61))
+    t63 = t62 * t62
+    t64 = t11 * t39 - t13 * t37
+    t65 = t63 * t63
+    t66 = 1.5 * t60
+    t67 = t11 + t11
+    t68 = t13 + t13
+    t69 = t23 * t67 + t25 * t68
+    t70 = t63 * t65
+    t71 = t11 * t58 + t23 * t39 - t13 * t56 - t25 * t37
+    t72 = t65 * (t62 * t71) + t62 * (4.5 * t60) * (t69 * t69) * (t63 * t70)
+    t73 = t23 * t23
+    t74 = t25 * t25
+    t75 = t73 + t73 + (t74 + t74) + t37 * t67 + t39 * t68
+    t76 = t72 - t70 * (t62 * (t69 * (3.5 * t64))) - t70 * (t62 * (t66 * t75))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -149,7 +145,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = t56
     derivatives[..., 9] = t58
     path[..., 0] = t59
-    path[..., 1] = np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t60 / t59 * t62, 0.0), 0.0), 0.0)
-    path[..., 2] = t71
-    path[..., 3] = t76 - np.where(t59 != 0.0, np.where(t59 != 0.0, np.where(t59 != 0.0, t80, 0.0), 0.0), 0.0)
+    path[..., 1] = t60 * t62 * t63
+    path[..., 2] = t64 * t65 - t66 * t69 * t70
+    path[..., 3] = t76
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c.
+Made from templates/kernel.py.j2; inputs a554d66c6bb207e924db56af9508500aba2dc0a517f3ac75cfc5a990506c3be4.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 0bc0b7ccb5df63e6ca2c4055af27d9632b1e3ea0755e7a688207a59eb30237dd.
- * 307 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1153ca297da30f675dafd4f85474b7d48c1ba630a29fb02c27f231f61e0c3a5b.
+ * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rpr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "0bc0b7ccb5df63e6ca2c4055af27d9632b1e3ea0755e7a688207a59eb30237dd";
+const char planar_rpr_motion_digest[] = "1153ca297da30f675dafd4f85474b7d48c1ba630a29fb02c27f231f61e0c3a5b";
 #endif
 
 #define LANES 64

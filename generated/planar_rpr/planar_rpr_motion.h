@@ -1,6 +1,6 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 0bc0b7ccb5df63e6ca2c4055af27d9632b1e3ea0755e7a688207a59eb30237dd.
- * 307 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 1153ca297da30f675dafd4f85474b7d48c1ba630a29fb02c27f231f61e0c3a5b.
+ * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_rpr_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   307 operations */
+ *   274 operations */
 void planar_rpr_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_rpr_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rpr_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

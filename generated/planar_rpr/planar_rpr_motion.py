@@ -1,7 +1,7 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0bc0b7ccb5df63e6ca2c4055af27d9632b1e3ea0755e7a688207a59eb30237dd.
-307 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 1153ca297da30f675dafd4f85474b7d48c1ba630a29fb02c27f231f61e0c3a5b.
+274 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 307 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 274 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading2)
@@ -109,26 +109,22 @@ def tip_motion(q, parameters, rates, second, third):
     t54 = t53 + t4 * t51 + t5 * t50
     t55 = np.sqrt((t10 * t10 + t11 * t11))
     t56 = t10 * t24 - t11 * t22
-    t57 = 1 / t55
-    t58 = t57 * t57
-    t59 = t10 * t39 - t11 * t37
-    t60 = t58 * t58
-    t61 = 1.5 * t56
-    t62 = t10 + t10
-    t63 = t11 + t11
-    t64 = t22 * t62 + t24 * t63
-    t65 = t58 * t60
-    t66 = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t61 * t64 * t65, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t67 = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t59 * t60, 0.0), 0.0), 0.0), 0.0) - np.where(t55 != 0.0, t66, 0.0)
-    t68 = t10 * t54 + t22 * t39 - t11 * t52 - t24 * t37
-    t69 = np.where(t55 != 0.0, 4.5 * t56 / t55 * (t64 * t64) * (t58 * t65), 0.0)
-    t70 = np.where(t55 != 0.0, t60 * (t68 / t55) + np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t69, 0.0), 0.0), 0.0), 0.0)
-    t71 = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t65 * (t64 * (3.5 * t59) / t55), 0.0), 0.0), 0.0)
-    t72 = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t70, 0.0), 0.0), 0.0), 0.0) - np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t71, 0.0), 0.0), 0.0), 0.0)
-    t73 = t22 * t22
-    t74 = t24 * t24
-    t75 = t73 + t73 + (t74 + t74) + t37 * t62 + t39 * t63
-    t76 = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t65 * (t61 * t75 / t55), 0.0), 0.0), 0.0), 0.0)
+    t57 = np.where(t55 != 0.0, 1, 0.0)
+    t58 = t57 / (t55 + (1 - t57))
+    t59 = t58 * t58
+    t60 = t10 * t39 - t11 * t37
+    t61 = t59 * t59
+    t62 = 1.5 * t56
+    t63 = t10 + t10
+    t64 = t11 + t11
+    t65 = t22 * t63 + t24 * t64
+    t66 = t59 * t61
+    t67 = t10 * t54 + t22 * t39 - t11 * t52 - t24 * t37
+    t68 = t61 * (t58 * t67) + t58 * (4.5 * t56) * (t65 * t65) * (t59 * t66)
+    t69 = t22 * t22
+    t70 = t24 * t24
+    t71 = t69 + t69 + (t70 + t70) + t37 * t63 + t39 * t64
+    t72 = t68 - t66 * (t58 * (t65 * (3.5 * t60))) - t66 * (t58 * (t62 * t71))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -144,7 +140,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = t52
     derivatives[..., 9] = t54
     path[..., 0] = t55
-    path[..., 1] = np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t56 / t55 * t58, 0.0), 0.0), 0.0)
-    path[..., 2] = t67
-    path[..., 3] = t72 - np.where(t55 != 0.0, np.where(t55 != 0.0, np.where(t55 != 0.0, t76, 0.0), 0.0), 0.0)
+    path[..., 1] = t56 * t58 * t59
+    path[..., 2] = t60 * t61 - t62 * t65 * t66
+    path[..., 3] = t72
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,6 +1,6 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
- * 305 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034.
+ * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrp_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b";
+const char planar_rrp_motion_digest[] = "28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034";
 #endif
 
 #define LANES 64

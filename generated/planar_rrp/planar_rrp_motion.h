@@ -1,6 +1,6 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
- * 305 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034.
+ * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_rrp_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   305 operations */
+ *   272 operations */
 void planar_rrp_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_rrp_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrp_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

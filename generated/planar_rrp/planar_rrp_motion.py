@@ -1,7 +1,7 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
-305 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034.
+272 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 305 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 272 operations.
 
     in   q[3]
     in   parameters[4] = (l1, l2, l3, heading3)
@@ -110,26 +110,22 @@ def tip_motion(q, parameters, rates, second, third):
     t55 = t54 + t3 * t52 + t5 * t49
     t56 = np.sqrt((t10 * t10 + t11 * t11))
     t57 = t10 * t24 - t11 * t22
-    t58 = 1 / t56
-    t59 = t58 * t58
-    t60 = t10 * t39 - t11 * t37
-    t61 = t59 * t59
-    t62 = 1.5 * t57
-    t63 = t10 + t10
-    t64 = t11 + t11
-    t65 = t22 * t63 + t24 * t64
-    t66 = t59 * t61
-    t67 = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t62 * t65 * t66, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t68 = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t60 * t61, 0.0), 0.0), 0.0), 0.0) - np.where(t56 != 0.0, t67, 0.0)
-    t69 = t10 * t55 + t22 * t39 - t11 * t53 - t24 * t37
-    t70 = np.where(t56 != 0.0, 4.5 * t57 / t56 * (t65 * t65) * (t59 * t66), 0.0)
-    t71 = np.where(t56 != 0.0, t61 * (t69 / t56) + np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t70, 0.0), 0.0), 0.0), 0.0)
-    t72 = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t66 * (t65 * (3.5 * t60) / t56), 0.0), 0.0), 0.0)
-    t73 = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t71, 0.0), 0.0), 0.0), 0.0) - np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t72, 0.0), 0.0), 0.0), 0.0)
-    t74 = t22 * t22
-    t75 = t24 * t24
-    t76 = t74 + t74 + (t75 + t75) + t37 * t63 + t39 * t64
-    t77 = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t66 * (t62 * t76 / t56), 0.0), 0.0), 0.0), 0.0)
+    t58 = np.where(t56 != 0.0, 1, 0.0)
+    t59 = t58 / (t56 + (1 - t58))
+    t60 = t59 * t59
+    t61 = t10 * t39 - t11 * t37
+    t62 = t60 * t60
+    t63 = 1.5 * t57
+    t64 = t10 + t10
+    t65 = t11 + t11
+    t66 = t22 * t64 + t24 * t65
+    t67 = t60 * t62
+    t68 = t10 * t55 + t22 * t39 - t11 * t53 - t24 * t37
+    t69 = t62 * (t59 * t68) + t59 * (4.5 * t57) * (t66 * t66) * (t60 * t67)
+    t70 = t22 * t22
+    t71 = t24 * t24
+    t72 = t70 + t70 + (t71 + t71) + t37 * t64 + t39 * t65
+    t73 = t69 - t67 * (t59 * (t66 * (3.5 * t61))) - t67 * (t59 * (t63 * t72))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -145,7 +141,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = t53
     derivatives[..., 9] = t55
     path[..., 0] = t56
-    path[..., 1] = np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t57 / t56 * t59, 0.0), 0.0), 0.0)
-    path[..., 2] = t68
-    path[..., 3] = t73 - np.where(t56 != 0.0, np.where(t56 != 0.0, np.where(t56 != 0.0, t77, 0.0), 0.0), 0.0)
+    path[..., 1] = t57 * t59 * t60
+    path[..., 2] = t61 * t62 - t63 * t66 * t67
+    path[..., 3] = t73
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.c: continuation position of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 50d87b854f53539f0fd3599b9baa8b3b127c42619ed1b4a30f8f918e1e1202c5.
+ * Made from templates/kernel.c.j2; inputs 5dbe69071ed55284f18d03abb832a3c7aa9752b098e99a6e4854206ebc570812.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_position_digest[] = "50d87b854f53539f0fd3599b9baa8b3b127c42619ed1b4a30f8f918e1e1202c5";
+const char planar_rrr_continuation_position_digest[] = "5dbe69071ed55284f18d03abb832a3c7aa9752b098e99a6e4854206ebc570812";
 #endif
 
 #define LANES 64

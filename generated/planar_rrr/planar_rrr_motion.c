@@ -1,6 +1,6 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 219a78f47c88665ff84fb95e9c52a38c1f537184f5db64a50618268555c53cd7.
- * 282 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs cfa2b475a9a3471630cb427a42ee2d9e9191ca0d7767e2dde7ef4a53254daabc.
+ * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "219a78f47c88665ff84fb95e9c52a38c1f537184f5db64a50618268555c53cd7";
+const char planar_rrr_motion_digest[] = "cfa2b475a9a3471630cb427a42ee2d9e9191ca0d7767e2dde7ef4a53254daabc";
 #endif
 
 #define LANES 64

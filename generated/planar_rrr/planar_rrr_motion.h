@@ -1,6 +1,6 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 219a78f47c88665ff84fb95e9c52a38c1f537184f5db64a50618268555c53cd7.
- * 282 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs cfa2b475a9a3471630cb427a42ee2d9e9191ca0d7767e2dde7ef4a53254daabc.
+ * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -29,7 +29,7 @@ extern const char planar_rrr_motion_digest[];
  *   in   third[3] = (dddq1, dddq2, dddq3)
  *   out  derivatives[5][2]
  *   out  path[4]
- *   282 operations */
+ *   248 operations */
 void planar_rrr_tip_motion(const double *q, const double *parameters, const double *rates, const double *second, const double *third, double *derivatives, double *path);
 void planar_rrr_tip_motion_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_tip_motionf(const float *q, const float *parameters, const float *rates, const float *second, const float *third, float *derivatives, float *path);

@@ -1,7 +1,7 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 219a78f47c88665ff84fb95e9c52a38c1f537184f5db64a50618268555c53cd7.
-282 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs cfa2b475a9a3471630cb427a42ee2d9e9191ca0d7767e2dde7ef4a53254daabc.
+248 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def tip_motion(q, parameters, rates, second, third):
-    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 282 operations.
+    """derivatives of the tip along a joint motion, and the path's speed, curvature, dk/ds and d^2k/ds^2: 248 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -106,26 +106,22 @@ def tip_motion(q, parameters, rates, second, third):
     t52 = t51 + t3 * t49 + t4 * t48
     t53 = np.sqrt((t10 * t10 + t12 * t12))
     t54 = t12 * t25 - t10 * t27
-    t55 = 1 / t53
-    t56 = t55 * t55
-    t57 = t10 * t42 + t12 * t40
-    t58 = t56 * t56
-    t59 = 1.5 * t54
-    t60 = t12 + t12
-    t61 = t11 - t10
-    t62 = t27 * t60 - t25 * t61
-    t63 = t56 * t58
-    t64 = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t59 * t62 * t63, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t65 = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, -(t57 * t58), 0.0), 0.0), 0.0), 0.0) - np.where(t53 != 0.0, t64, 0.0)
-    t66 = np.where(t53 != 0.0, 4.5 * t54 / t53 * (t62 * t62) * (t56 * t63), 0.0)
-    t67 = t10 * t52 + t25 * t42 + t12 * t50 + t27 * t40
-    t68 = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t66, 0.0), 0.0), 0.0) - t58 * (t67 / t53), 0.0)
-    t69 = np.where(t53 != 0.0, np.where(t53 != 0.0, -(t63 * (t62 * (3.5 * t57) / t53)), 0.0), 0.0)
-    t70 = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t68, 0.0), 0.0), 0.0), 0.0) - np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t69, 0.0), 0.0), 0.0), 0.0), 0.0)
-    t71 = t25 * t25
-    t72 = t27 * t27
-    t73 = t71 + t71 + (t72 + t72) + t40 * t61 + t42 * t60
-    t74 = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t63 * (t59 * t73 / t53), 0.0), 0.0), 0.0), 0.0)
+    t55 = np.where(t53 != 0.0, 1, 0.0)
+    t56 = t55 / (t53 + (1 - t55))
+    t57 = t56 * t56
+    t58 = t10 * t42 + t12 * t40
+    t59 = t57 * t57
+    t60 = 1.5 * t54
+    t61 = t12 + t12
+    t62 = t11 - t10
+    t63 = t27 * t61 - t25 * t62
+    t64 = t57 * t59
+    t65 = t10 * t52 + t25 * t42 + t12 * t50 + t27 * t40
+    t66 = t56 * (4.5 * t54) * (t63 * t63) * (t57 * t64) - t59 * (t56 * t65)
+    t67 = t25 * t25
+    t68 = t27 * t27
+    t69 = t67 + t67 + (t68 + t68) + t40 * t62 + t42 * t61
+    t70 = t66 + t64 * (t56 * (t63 * (3.5 * t58))) - t64 * (t56 * (t60 * t69))
 
     # results
     derivatives = np.empty((*_leading, 10), _real)
@@ -141,7 +137,7 @@ def tip_motion(q, parameters, rates, second, third):
     derivatives[..., 8] = t50
     derivatives[..., 9] = t52
     path[..., 0] = t53
-    path[..., 1] = np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t54 / t53 * t56, 0.0), 0.0), 0.0)
-    path[..., 2] = t65
-    path[..., 3] = t70 - np.where(t53 != 0.0, np.where(t53 != 0.0, np.where(t53 != 0.0, t74, 0.0), 0.0), 0.0)
+    path[..., 1] = t54 * t56 * t57
+    path[..., 2] = -(t58 * t59 + t60 * t63 * t64)
+    path[..., 3] = t70
     return derivatives.reshape(_leading + (5, 2)), path.reshape(_leading + (4,))

@@ -1,6 +1,6 @@
 """manipulability (pose) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3.
+Made from templates/kernel.py.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
 138 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

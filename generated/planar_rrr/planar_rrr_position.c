@@ -1,6 +1,6 @@
 /* planar_rrr_position.c: manipulability (position) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3.
- * 245 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
+ * 228 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_position_digest[] = "69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3";
+const char planar_rrr_position_digest[] = "2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f";
 #endif
 
 #define LANES 64

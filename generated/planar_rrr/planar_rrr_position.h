@@ -1,6 +1,6 @@
 /* planar_rrr_position.h: manipulability (position) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3.
- * 245 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
+ * 228 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -69,7 +69,7 @@ void planar_rrr_null_vector_position_batchf(ptrdiff_t count, char *const *args, 
  *   in   q[3]
  *   in   parameters[3] = (l1, l2, l3)
  *   out  null_projector[3][3]
- *   123 operations */
+ *   106 operations */
 void planar_rrr_null_projector_position(const double *q, const double *parameters, double *null_projector);
 void planar_rrr_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_null_projector_positionf(const float *q, const float *parameters, float *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3.
-245 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
+228 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -174,7 +174,7 @@ def null_vector_position(q, parameters):
 
 
 def null_projector_position(q, parameters):
-    """projector I - J^+ J onto the null space of the position Jacobian: 123 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 106 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -201,50 +201,57 @@ def null_projector_position(q, parameters):
     t2 = t1 + s2 * l2
     t3 = t2 * t2
     t4 = np.sqrt((t1 * t1 + (t3 + t3)))
-    t5 = np.where(t4 != 0.0, t1 / t4, 0.0)
-    t6 = np.where(t4 != 0.0, t2 / t4, 0.0)
-    t7 = t6 * t6
-    t8 = np.sqrt((t5 * t5 + (t7 + t7)))
-    t9 = t6 / t8
-    t10 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t9, 0.0), 0.0)
-    t11 = 1 - t10
-    t12 = l3 * (c2 * c3 - s3 * s2)
-    t13 = l1 + c2 * l2 + t12
-    t14 = t13 - l1
-    t15 = t5 / t8
-    t16 = t9 * t14 + t12 * t15 + t9 * t13
-    t17 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t16, 0.0), 0.0)
-    t18 = t13 - t17
-    t19 = t14 - t17
-    t20 = t12 - np.where(t8 != 0.0, np.where(t8 != 0.0, t15 * t16, 0.0), 0.0)
-    t21 = np.sqrt((t18 * t18 + t19 * t19 + t20 * t20))
-    t22 = t18 / t21
-    t23 = t19 / t21
-    t24 = t20 / t21
-    t25 = t9 * t22 + t9 * t23 + t15 * t24
-    t26 = np.where(t8 != 0.0, np.where(t21 != 0.0, np.where(t8 != 0.0, t9 * t25, 0.0), 0.0), 0.0)
-    t27 = np.where(t21 != 0.0, t22, 0.0) - t26
-    t28 = np.where(t21 != 0.0, t23, 0.0) - t26
-    t29 = np.where(t21 != 0.0, t24, 0.0) - np.where(t8 != 0.0, np.where(t21 != 0.0, np.where(t8 != 0.0, t15 * t25, 0.0), 0.0), 0.0)
-    t30 = np.sqrt((t27 * t27 + t28 * t28 + t29 * t29))
-    t31 = t27 / t30
-    t32 = t28 / t30
-    t33 = -(t10 + np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t32, 0.0), 0.0))
-    t34 = np.where(t8 != 0.0, np.where(t8 != 0.0, t9 * t15, 0.0), 0.0)
-    t35 = t29 / t30
-    t36 = -(t34 + np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t35, 0.0), 0.0))
-    t37 = -(t34 + np.where(t30 != 0.0, np.where(t30 != 0.0, t32 * t35, 0.0), 0.0))
-    t38 = 1 - np.where(t8 != 0.0, np.where(t8 != 0.0, t15 * t15, 0.0), 0.0) - np.where(t30 != 0.0, np.where(t30 != 0.0, t35 * t35, 0.0), 0.0)
+    t5 = np.where(t4 != 0.0, 1, 0.0)
+    t6 = t5 / (t4 + (1 - t5))
+    t7 = t1 * t6
+    t8 = t2 * t6
+    t9 = t8 * t8
+    t10 = np.sqrt((t7 * t7 + (t9 + t9)))
+    t11 = np.where(t10 != 0.0, 1, 0.0)
+    t12 = t11 / (t10 + (1 - t11))
+    t13 = t8 * t12
+    t14 = t13 * t13
+    t15 = 1 - t14
+    t16 = l3 * (c2 * c3 - s3 * s2)
+    t17 = l1 + c2 * l2 + t16
+    t18 = t17 - l1
+    t19 = t7 * t12
+    t20 = t13 * t18 + t16 * t19 + t13 * t17
+    t21 = t13 * t20
+    t22 = t17 - t21
+    t23 = t18 - t21
+    t24 = t16 - t19 * t20
+    t25 = np.sqrt((t22 * t22 + t23 * t23 + t24 * t24))
+    t26 = np.where(t25 != 0.0, 1, 0.0)
+    t27 = t26 / (t25 + (1 - t26))
+    t28 = t22 * t27
+    t29 = t23 * t27
+    t30 = t24 * t27
+    t31 = t13 * t28 + t13 * t29 + t19 * t30
+    t32 = t13 * t31
+    t33 = t28 - t32
+    t34 = t29 - t32
+    t35 = t30 - t19 * t31
+    t36 = np.sqrt((t33 * t33 + t34 * t34 + t35 * t35))
+    t37 = np.where(t36 != 0.0, 1, 0.0)
+    t38 = t37 / (t36 + (1 - t37))
+    t39 = t33 * t38
+    t40 = t34 * t38
+    t41 = -(t14 + t39 * t40)
+    t42 = t13 * t19
+    t43 = t35 * t38
+    t44 = -(t42 + t39 * t43)
+    t45 = -(t42 + t40 * t43)
 
     # results
     null_projector = np.empty((*_leading, 9), _real)
-    null_projector[..., 0] = t11 - np.where(t30 != 0.0, np.where(t30 != 0.0, t31 * t31, 0.0), 0.0)
-    null_projector[..., 1] = t33
-    null_projector[..., 2] = t36
-    null_projector[..., 3] = t33
-    null_projector[..., 4] = t11 - np.where(t30 != 0.0, np.where(t30 != 0.0, t32 * t32, 0.0), 0.0)
-    null_projector[..., 5] = t37
-    null_projector[..., 6] = t36
-    null_projector[..., 7] = t37
-    null_projector[..., 8] = t38
+    null_projector[..., 0] = t15 - t39 * t39
+    null_projector[..., 1] = t41
+    null_projector[..., 2] = t44
+    null_projector[..., 3] = t41
+    null_projector[..., 4] = t15 - t40 * t40
+    null_projector[..., 5] = t45
+    null_projector[..., 6] = t44
+    null_projector[..., 7] = t45
+    null_projector[..., 8] = 1 - t19 * t19 - t43 * t43
     return null_projector.reshape(_leading + (3, 3))

@@ -1,6 +1,6 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 8fd1ca9922f8cc66ddcf8fae548272df0a0b4ba30e817b48fcc14f046469c7a3.
- * 1575 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 0725dde9519e16205fb483bf522493b91ece489b9991eb0477787197e157eec9.
+ * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "planar_rrr_self_motion.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "8fd1ca9922f8cc66ddcf8fae548272df0a0b4ba30e817b48fcc14f046469c7a3";
+const char planar_rrr_self_motion_digest[] = "0725dde9519e16205fb483bf522493b91ece489b9991eb0477787197e157eec9";
 #endif
 
 #define LANES 64

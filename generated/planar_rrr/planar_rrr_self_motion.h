@@ -1,6 +1,6 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 8fd1ca9922f8cc66ddcf8fae548272df0a0b4ba30e817b48fcc14f046469c7a3.
- * 1575 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 0725dde9519e16205fb483bf522493b91ece489b9991eb0477787197e157eec9.
+ * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -39,7 +39,7 @@ void planar_rrr_self_motion_gaps_position_batchf(ptrdiff_t count, char *const *a
  *   in   sums[8] = (m0, m1, m2, m3, p0, p1, p2, p3)
  *   in   parameters[3] = (l1, l2, l3)
  *   out  speed (one number)
- *   318 operations */
+ *   279 operations */
 void planar_rrr_self_motion_speed_position(const double *node, const double *reach, const double *sums, const double *parameters, double *speed);
 void planar_rrr_self_motion_speed_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_self_motion_speed_positionf(const float *node, const float *reach, const float *sums, const float *parameters, float *speed);
@@ -51,7 +51,7 @@ void planar_rrr_self_motion_speed_position_batchf(ptrdiff_t count, char *const *
  *   in   sums[8] = (m0, m1, m2, m3, p0, p1, p2, p3)
  *   in   parameters[3] = (l1, l2, l3)
  *   out  phi[2]
- *   218 operations */
+ *   208 operations */
 void planar_rrr_self_motion_turn_position(const double *node, const double *reach, const double *sums, const double *parameters, double *phi);
 void planar_rrr_self_motion_turn_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_self_motion_turn_positionf(const float *node, const float *reach, const float *sums, const float *parameters, float *phi);
@@ -125,7 +125,7 @@ void planar_rrr_self_motion_gaps_x_alpha_batchf(ptrdiff_t count, char *const *ar
  *   in   sums[8] = (m0, m1, m2, m3, p0, p1, p2, p3)
  *   in   parameters[3] = (l1, l2, l3)
  *   out  speed (one number)
- *   284 operations */
+ *   244 operations */
 void planar_rrr_self_motion_speed_x_alpha(const double *node, const double *reach, const double *sums, const double *parameters, double *speed);
 void planar_rrr_self_motion_speed_x_alpha_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_self_motion_speed_x_alphaf(const float *node, const float *reach, const float *sums, const float *parameters, float *speed);
@@ -137,7 +137,7 @@ void planar_rrr_self_motion_speed_x_alpha_batchf(ptrdiff_t count, char *const *a
  *   in   sums[8] = (m0, m1, m2, m3, p0, p1, p2, p3)
  *   in   parameters[3] = (l1, l2, l3)
  *   out  phi[2]
- *   211 operations */
+ *   201 operations */
 void planar_rrr_self_motion_turn_x_alpha(const double *node, const double *reach, const double *sums, const double *parameters, double *phi);
 void planar_rrr_self_motion_turn_x_alpha_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_self_motion_turn_x_alphaf(const float *node, const float *reach, const float *sums, const float *parameters, float *phi);
@@ -152,7 +152,7 @@ void planar_rrr_self_motion_turn_x_alpha_batchf(ptrdiff_t count, char *const *ar
  *   out  rates[3]
  *   out  manipulability (one number)
  *   out  speed (one number)
- *   67 operations */
+ *   70 operations */
 void planar_rrr_self_motion_point_x_alpha(const double *turn, const double *reach, const double *sums, const double *parameters, double *q, double *rates, double *manipulability, double *speed);
 void planar_rrr_self_motion_point_x_alpha_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_self_motion_point_x_alphaf(const float *turn, const float *reach, const float *sums, const float *parameters, float *q, float *rates, float *manipulability, float *speed);

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs e762323a9d74d259afdd7ca7d41a6ce803dcebe81b43951acd0ae815a5b2885e.
+ * Made from templates/kernel.c.j2; inputs 0eb8b3e8ebf83def2826dacdc73694fe899a31c5d776c4ad23167d7dbd9e979b.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "e762323a9d74d259afdd7ca7d41a6ce803dcebe81b43951acd0ae815a5b2885e";
+const char planar_rrr_speed_ratio_digest[] = "0eb8b3e8ebf83def2826dacdc73694fe899a31c5d776c4ad23167d7dbd9e979b";
 #endif
 
 #define LANES 64

@@ -1,7 +1,7 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 69f749d1a79973951d79c96510b9c5f556cb8701bbf3213ae8ff6a34c12bded3.
-311 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
+282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -210,7 +210,7 @@ def null_vector_x_alpha(q, parameters):
 
 
 def null_projector_x_alpha(q, parameters):
-    """projector I - J^+ J onto the null space of the x_alpha Jacobian: 145 operations.
+    """projector I - J^+ J onto the null space of the x_alpha Jacobian: 116 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -242,48 +242,50 @@ def null_projector_x_alpha(q, parameters):
     t4 = t1 + t2 * l2 + t3
     t5 = t4 - t1
     t6 = np.sqrt((t5 * t5 + t3 * t3 + t4 * t4))
-    t7 = np.where(t6 != 0.0, t4 / t6, 0.0)
-    t8 = np.where(t6 != 0.0, t5 / t6, 0.0)
-    t9 = np.where(t6 != 0.0, t3 / t6, 0.0)
-    t10 = np.sqrt((t7 * t7 + t8 * t8 + t9 * t9))
-    t11 = t7 / t10
-    t12 = t8 / t10
-    t13 = t9 / t10
-    t14 = t11 + t12 + t13
-    t15 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t14, 0.0), 0.0)
-    t16 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t14, 0.0), 0.0)
-    t17 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t13 * t14, 0.0), 0.0)
-    t18 = np.sqrt((t15 * t15 + t16 * t16 + t17 * t17))
-    t19 = t15 / t18
-    t20 = t16 / t18
-    t21 = t17 / t18
-    t22 = t11 * t19 + t12 * t20 + t13 * t21
-    t23 = np.where(t18 != 0.0, t19, 0.0) - np.where(t10 != 0.0, np.where(t18 != 0.0, np.where(t10 != 0.0, t11 * t22, 0.0), 0.0), 0.0)
-    t24 = np.where(t18 != 0.0, t20, 0.0) - np.where(t10 != 0.0, np.where(t18 != 0.0, np.where(t10 != 0.0, t12 * t22, 0.0), 0.0), 0.0)
-    t25 = np.where(t18 != 0.0, t21, 0.0) - np.where(t10 != 0.0, np.where(t18 != 0.0, np.where(t10 != 0.0, t13 * t22, 0.0), 0.0), 0.0)
-    t26 = np.sqrt((t23 * t23 + t24 * t24 + t25 * t25))
-    t27 = t23 / t26
-    t28 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t11, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t27 * t27, 0.0), 0.0)
-    t29 = t24 / t26
-    t30 = np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t12, 0.0), 0.0) + np.where(t26 != 0.0, np.where(t26 != 0.0, t27 * t29, 0.0), 0.0)
-    t31 = -t30
-    t32 = t25 / t26
-    t33 = np.where(t10 != 0.0, np.where(t10 != 0.0, t11 * t13, 0.0), 0.0) + np.where(t26 != 0.0, np.where(t26 != 0.0, t27 * t32, 0.0), 0.0)
-    t34 = -t33
-    t35 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t12, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t29 * t29, 0.0), 0.0)
-    t36 = np.where(t10 != 0.0, np.where(t10 != 0.0, t12 * t13, 0.0), 0.0) + np.where(t26 != 0.0, np.where(t26 != 0.0, t29 * t32, 0.0), 0.0)
-    t37 = -t36
-    t38 = 1 - np.where(t10 != 0.0, np.where(t10 != 0.0, t13 * t13, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t32 * t32, 0.0), 0.0)
+    t7 = np.where(t6 != 0.0, 1, 0.0)
+    t8 = t7 / (t6 + (1 - t7))
+    t9 = t4 * t8
+    t10 = t5 * t8
+    t11 = t3 * t8
+    t12 = np.sqrt((t9 * t9 + t10 * t10 + t11 * t11))
+    t13 = np.where(t12 != 0.0, 1, 0.0)
+    t14 = t13 / (t12 + (1 - t13))
+    t15 = t9 * t14
+    t16 = t10 * t14
+    t17 = t11 * t14
+    t18 = t15 + t16 + t17
+    t19 = 1 - t15 * t18
+    t20 = 1 - t16 * t18
+    t21 = 1 - t17 * t18
+    t22 = np.sqrt((t19 * t19 + t20 * t20 + t21 * t21))
+    t23 = np.where(t22 != 0.0, 1, 0.0)
+    t24 = t23 / (t22 + (1 - t23))
+    t25 = t19 * t24
+    t26 = t20 * t24
+    t27 = t21 * t24
+    t28 = t15 * t25 + t16 * t26 + t17 * t27
+    t29 = t25 - t15 * t28
+    t30 = t26 - t16 * t28
+    t31 = t27 - t17 * t28
+    t32 = np.sqrt((t29 * t29 + t30 * t30 + t31 * t31))
+    t33 = np.where(t32 != 0.0, 1, 0.0)
+    t34 = t33 / (t32 + (1 - t33))
+    t35 = t29 * t34
+    t36 = t30 * t34
+    t37 = -(t15 * t16 + t35 * t36)
+    t38 = t31 * t34
+    t39 = -(t15 * t17 + t35 * t38)
+    t40 = -(t16 * t17 + t36 * t38)
 
     # results
     null_projector = np.empty((*_leading, 9), _real)
-    null_projector[..., 0] = t28
-    null_projector[..., 1] = t31
-    null_projector[..., 2] = t34
-    null_projector[..., 3] = t31
-    null_projector[..., 4] = t35
-    null_projector[..., 5] = t37
-    null_projector[..., 6] = t34
-    null_projector[..., 7] = t37
-    null_projector[..., 8] = t38
+    null_projector[..., 0] = 1 - t15 * t15 - t35 * t35
+    null_projector[..., 1] = t37
+    null_projector[..., 2] = t39
+    null_projector[..., 3] = t37
+    null_projector[..., 4] = 1 - t16 * t16 - t36 * t36
+    null_projector[..., 5] = t40
+    null_projector[..., 6] = t39
+    null_projector[..., 7] = t40
+    null_projector[..., 8] = 1 - t17 * t17 - t38 * t38
     return null_projector.reshape(_leading + (3, 3))

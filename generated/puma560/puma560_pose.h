@@ -1,5 +1,5 @@
 /* puma560_pose.h: manipulability (pose) of puma560.
- * Made from templates/kernel.h.j2; inputs 7c72f4ab69b863b2f8de76ff747526359dce2113076a6e039035fbbfea0cf01a.
+ * Made from templates/kernel.h.j2; inputs 9abd90ecf1f20592d8ce95849ff6204fa9e8a1c4927cd8e82fb72ca38cc720c1.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

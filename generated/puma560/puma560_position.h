@@ -1,6 +1,6 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs 7c72f4ab69b863b2f8de76ff747526359dce2113076a6e039035fbbfea0cf01a.
- * 435 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 9abd90ecf1f20592d8ce95849ff6204fa9e8a1c4927cd8e82fb72ca38cc720c1.
+ * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void puma560_minors_position_batchf(ptrdiff_t count, char *const *args, const pt
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   288 operations */
+ *   190 operations */
 void puma560_null_projector_position(const double *q, double *null_projector);
 void puma560_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void puma560_null_projector_positionf(const float *q, float *null_projector);

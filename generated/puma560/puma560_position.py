@@ -1,7 +1,7 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7c72f4ab69b863b2f8de76ff747526359dce2113076a6e039035fbbfea0cf01a.
-435 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 9abd90ecf1f20592d8ce95849ff6204fa9e8a1c4927cd8e82fb72ca38cc720c1.
+337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -173,7 +173,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 288 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 190 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -197,86 +197,89 @@ def null_projector_position(q):
     t4 = t1 + 0.0203 * t2 + 0.4318 * t3
     t5 = t4 - t1
     t6 = np.sqrt((0.022515002499999996 + t4 * t4 + t5 * t5))
-    t7 = 0.15005 / t6
-    t8 = np.where(t6 != 0.0, t4 / t6, 0.0)
-    t9 = np.where(t6 != 0.0, t5 / t6, 0.0)
-    t10 = np.where(t6 != 0.0, np.where(t6 != 0.0, t7 * t7, 0.0), 0.0) + t8 * t8 + t9 * t9
-    t11 = np.sqrt(t10)
-    t12 = t7 / t11
-    t13 = 0.4318 * c2
-    t14 = t13 + 0.0203 * t3 - 0.4318 * t2
-    t15 = t12 * t14
-    t16 = t14 - np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, t12 * t15, 0.0), 0.0), 0.0), 0.0)
-    t17 = t8 / t11
-    t18 = np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, -(t15 * t17), 0.0), 0.0), 0.0)
-    t19 = t9 / t11
-    t20 = np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, -(t15 * t19), 0.0), 0.0), 0.0)
-    t21 = np.sqrt((t16 * t16 + t18 * t18 + t20 * t20))
-    t22 = t16 / t21
-    t23 = t18 / t21
-    t24 = t20 / t21
-    t25 = np.where(t6 != 0.0, np.where(t11 != 0.0, t12 * t22, 0.0), 0.0) + np.where(t11 != 0.0, t17 * t23, 0.0) + np.where(t11 != 0.0, t19 * t24, 0.0)
-    t26 = np.where(t21 != 0.0, t22, 0.0) - np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t21 != 0.0, t12 * t25, 0.0), 0.0), 0.0)
-    t27 = np.where(t21 != 0.0, -t23, 0.0) - np.where(t11 != 0.0, np.where(t21 != 0.0, -(t17 * t25), 0.0), 0.0)
-    t28 = np.where(t21 != 0.0, -t24, 0.0) - np.where(t11 != 0.0, np.where(t21 != 0.0, -(t19 * t25), 0.0), 0.0)
-    t29 = np.sqrt((t26 * t26 + t27 * t27 + t28 * t28))
-    t30 = t26 / t29
-    t31 = 1 - np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, t12 * t12, 0.0), 0.0), 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t30, 0.0), 0.0)
-    t32 = t14 - t13
-    t33 = t14 * t17 + t19 * t32
-    t34 = t12 * t33
-    t35 = t14 - np.where(t11 != 0.0, np.where(t11 != 0.0, t17 * t33, 0.0), 0.0)
-    t36 = t27 / t29
-    t37 = t35 * t36 - np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t11 != 0.0, -(t30 * t34), 0.0), 0.0), 0.0)
-    t38 = t32 - np.where(t11 != 0.0, np.where(t11 != 0.0, t19 * t33, 0.0), 0.0)
-    t39 = t28 / t29
-    t40 = t37 + t38 * t39
-    t41 = np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t11 != 0.0, -t34, 0.0), 0.0), 0.0) + np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t40, 0.0), 0.0)
-    t42 = t35 - np.where(t29 != 0.0, np.where(t29 != 0.0, t36 * t40, 0.0), 0.0)
-    t43 = t38 - np.where(t29 != 0.0, np.where(t29 != 0.0, t39 * t40, 0.0), 0.0)
-    t44 = np.sqrt((t41 * t41 + t42 * t42 + t43 * t43))
-    t45 = t41 / t44
-    t46 = t42 / t44
-    t47 = np.where(t6 != 0.0, np.where(t11 != 0.0, -(t12 * t45), 0.0), 0.0) + np.where(t11 != 0.0, -(t17 * t46), 0.0)
-    t48 = t43 / t44
-    t49 = t47 + np.where(t11 != 0.0, -(t19 * t48), 0.0)
-    t50 = np.where(t44 != 0.0, -t45, 0.0) - np.where(t6 != 0.0, np.where(t11 != 0.0, np.where(t44 != 0.0, t12 * t49, 0.0), 0.0), 0.0)
-    t51 = np.where(t44 != 0.0, t46, 0.0) - np.where(t11 != 0.0, np.where(t44 != 0.0, -(t17 * t49), 0.0), 0.0)
-    t52 = np.where(t44 != 0.0, t48, 0.0) - np.where(t11 != 0.0, np.where(t44 != 0.0, -(t19 * t49), 0.0), 0.0)
-    t53 = t30 * t50 + t36 * t51 + t39 * t52
-    t54 = t50 - np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t53, 0.0), 0.0)
-    t55 = t51 - np.where(t29 != 0.0, np.where(t29 != 0.0, t36 * t53, 0.0), 0.0)
-    t56 = t52 - np.where(t29 != 0.0, np.where(t29 != 0.0, t39 * t53, 0.0), 0.0)
-    t57 = np.sqrt((t54 * t54 + t55 * t55 + t56 * t56))
-    t58 = t54 / t57
-    t59 = np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, -(t12 * t17), 0.0), 0.0), 0.0) + np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t36, 0.0), 0.0)
-    t60 = t55 / t57
-    t61 = -(t59 + np.where(t57 != 0.0, np.where(t57 != 0.0, t58 * t60, 0.0), 0.0))
-    t62 = np.where(t11 != 0.0, np.where(t6 != 0.0, np.where(t11 != 0.0, -(t12 * t19), 0.0), 0.0), 0.0) + np.where(t29 != 0.0, np.where(t29 != 0.0, t30 * t39, 0.0), 0.0)
-    t63 = t56 / t57
-    t64 = -(t62 + np.where(t57 != 0.0, np.where(t57 != 0.0, t58 * t63, 0.0), 0.0))
-    t65 = 1 - np.where(t11 != 0.0, np.where(t11 != 0.0, t17 * t17, 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t36 * t36, 0.0), 0.0)
-    t66 = np.where(t11 != 0.0, np.where(t11 != 0.0, t17 * t19, 0.0), 0.0) + np.where(t29 != 0.0, np.where(t29 != 0.0, t36 * t39, 0.0), 0.0)
-    t67 = -(t66 + np.where(t57 != 0.0, np.where(t57 != 0.0, t60 * t63, 0.0), 0.0))
-    t68 = 1 - np.where(t11 != 0.0, np.where(t11 != 0.0, t19 * t19, 0.0), 0.0) - np.where(t29 != 0.0, np.where(t29 != 0.0, t39 * t39, 0.0), 0.0)
+    t7 = np.where(t6 != 0.0, 1, 0.0)
+    t8 = t7 / (t6 + (1 - t7))
+    t9 = 0.15005 * t8
+    t10 = t4 * t8
+    t11 = t5 * t8
+    t12 = np.sqrt((t9 * t9 + t10 * t10 + t11 * t11))
+    t13 = np.where(t12 != 0.0, 1, 0.0)
+    t14 = t13 / (t12 + (1 - t13))
+    t15 = t9 * t14
+    t16 = 0.4318 * c2
+    t17 = t16 + 0.0203 * t3 - 0.4318 * t2
+    t18 = t15 * t17
+    t19 = t17 - t15 * t18
+    t20 = t10 * t14
+    t21 = t18 * t20
+    t22 = t11 * t14
+    t23 = t18 * t22
+    t24 = np.sqrt((t19 * t19 + t21 * t21 + t23 * t23))
+    t25 = np.where(t24 != 0.0, 1, 0.0)
+    t26 = t25 / (t24 + (1 - t25))
+    t27 = t19 * t26
+    t28 = t21 * t26
+    t29 = t23 * t26
+    t30 = t15 * t27 - t20 * t28 - t22 * t29
+    t31 = t27 - t15 * t30
+    t32 = t28 + t20 * t30
+    t33 = t29 + t22 * t30
+    t34 = np.sqrt((t31 * t31 + t32 * t32 + t33 * t33))
+    t35 = np.where(t34 != 0.0, 1, 0.0)
+    t36 = t35 / (t34 + (1 - t35))
+    t37 = t31 * t36
+    t38 = t17 - t16
+    t39 = t17 * t20 + t22 * t38
+    t40 = t15 * t39
+    t41 = t17 - t20 * t39
+    t42 = t32 * t36
+    t43 = t38 - t22 * t39
+    t44 = t33 * t36
+    t45 = t37 * t40 + t41 * t42 + t43 * t44
+    t46 = t40 - t37 * t45
+    t47 = t41 - t42 * t45
+    t48 = t43 - t44 * t45
+    t49 = np.sqrt((t46 * t46 + t47 * t47 + t48 * t48))
+    t50 = np.where(t49 != 0.0, 1, 0.0)
+    t51 = t50 / (t49 + (1 - t50))
+    t52 = t46 * t51
+    t53 = t47 * t51
+    t54 = t48 * t51
+    t55 = t15 * t52 - t20 * t53 - t22 * t54
+    t56 = t52 - t15 * t55
+    t57 = t53 + t20 * t55
+    t58 = t54 + t22 * t55
+    t59 = t37 * t56 + t42 * t57 + t44 * t58
+    t60 = t56 - t37 * t59
+    t61 = t57 - t42 * t59
+    t62 = t58 - t44 * t59
+    t63 = np.sqrt((t60 * t60 + t61 * t61 + t62 * t62))
+    t64 = np.where(t63 != 0.0, 1, 0.0)
+    t65 = t64 / (t63 + (1 - t64))
+    t66 = t60 * t65
+    t67 = t61 * t65
+    t68 = t15 * t20 - t37 * t42 - t66 * t67
+    t69 = t62 * t65
+    t70 = t15 * t22 - t37 * t44 - t66 * t69
+    t71 = -(t20 * t22 + t42 * t44 + t67 * t69)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = t31 - np.where(t57 != 0.0, np.where(t57 != 0.0, t58 * t58, 0.0), 0.0)
-    null_projector[..., 1] = t61
-    null_projector[..., 2] = t64
+    null_projector[..., 0] = 1 - t15 * t15 - t37 * t37 - t66 * t66
+    null_projector[..., 1] = t68
+    null_projector[..., 2] = t70
     null_projector[..., 3] = 0.0
     null_projector[..., 4] = 0.0
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t61
-    null_projector[..., 7] = t65 - np.where(t57 != 0.0, np.where(t57 != 0.0, t60 * t60, 0.0), 0.0)
-    null_projector[..., 8] = t67
+    null_projector[..., 6] = t68
+    null_projector[..., 7] = 1 - t20 * t20 - t42 * t42 - t67 * t67
+    null_projector[..., 8] = t71
     null_projector[..., 9] = 0.0
     null_projector[..., 10] = 0.0
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t64
-    null_projector[..., 13] = t67
-    null_projector[..., 14] = t68 - np.where(t57 != 0.0, np.where(t57 != 0.0, t63 * t63, 0.0), 0.0)
+    null_projector[..., 12] = t70
+    null_projector[..., 13] = t71
+    null_projector[..., 14] = 1 - t22 * t22 - t44 * t44 - t69 * t69
     null_projector[..., 15] = 0.0
     null_projector[..., 16] = 0.0
     null_projector[..., 17] = 0.0

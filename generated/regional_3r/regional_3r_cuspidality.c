@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab.
- * 3766 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c.
+ * 3500 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "regional_3r_cuspidality.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab";
+const char regional_3r_cuspidality_digest[] = "8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c";
 #endif
 
 #define LANES 32

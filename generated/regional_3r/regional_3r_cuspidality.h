@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs 36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab.
- * 3766 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c.
+ * 3500 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -136,7 +136,7 @@ void regional_3r_unturned_batchf(ptrdiff_t count, char *const *args, const ptrdi
  *   in   target[2] = (rho_squared, z)
  *   out  number (one number)
  *   out  margin (one number)
- *   286 operations */
+ *   260 operations */
 void regional_3r_number_of_postures(const double *parameters, const double *target, double *number, double *margin);
 void regional_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin);
@@ -151,7 +151,7 @@ void regional_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, c
  *   out  slope[4]
  *   out  number (one number)
  *   out  margin (one number)
- *   1729 operations */
+ *   1549 operations */
 void regional_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin);
 void regional_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin);
@@ -163,7 +163,7 @@ void regional_3r_postures_batchf(ptrdiff_t count, char *const *args, const ptrdi
  *   out  angles[4][3]
  *   out  closure[4]
  *   out  width[4]
- *   330 operations */
+ *   300 operations */
 void regional_3r_postures_intersecting(const double *parameters, const double *point, double *angles, double *closure, double *width);
 void regional_3r_postures_intersecting_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_postures_intersectingf(const float *parameters, const float *point, float *angles, float *closure, float *width);
@@ -175,7 +175,7 @@ void regional_3r_postures_intersecting_batchf(ptrdiff_t count, char *const *args
  *   out  angles[4][3]
  *   out  closure[4]
  *   out  width[4]
- *   324 operations */
+ *   294 operations */
 void regional_3r_postures_parallel(const double *parameters, const double *point, double *angles, double *closure, double *width);
 void regional_3r_postures_parallel_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_postures_parallelf(const float *parameters, const float *point, float *angles, float *closure, float *width);

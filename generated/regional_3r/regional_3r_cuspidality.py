@@ -1,7 +1,7 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab.
-3766 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c.
+3500 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -705,7 +705,7 @@ def unturned(parameters, shoulder, elbow):
 
 
 def number_of_postures(parameters, target):
-    """how many postures reach a target; in double precision certainly so where the margin exceeds 1: 286 operations.
+    """how many postures reach a target; in double precision certainly so where the margin exceeds 1: 260 operations.
 
     in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
     in   target[2] = (rho_squared, z)
@@ -757,64 +757,64 @@ def number_of_postures(parameters, target):
     t24 = t10 * t12
     t25 = t8 * t12 + t9 * t14 - t17 * (0.5 * (sa3 * (r3 * (d4 * (-2 * ca3)))))
     t26 = t23 + np.maximum(t24, -t24) + np.maximum(t25, -t25)
-    t27 = t20 / t26
-    t28 = t27 * t27
-    t29 = t22 / t26
-    t30 = t24 / t26
-    t31 = t29 * t29 + t30 * t30
-    t32 = t21 / t26
-    t33 = t32 * t32
-    t34 = t25 / t26
+    t27 = np.where(t26 != 0.0, 1, 0.0)
+    t28 = t27 / (t26 + (1 - t27))
+    t29 = t20 * t28
+    t30 = t29 * t29
+    t31 = t22 * t28
+    t32 = t24 * t28
+    t33 = t31 * t31 + t32 * t32
+    t34 = t21 * t28
     t35 = t34 * t34
-    t36 = t33 + t35
-    t37 = np.where(t26 != 0.0, np.where(t26 != 0.0, t28 + 3 * t31, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, 3 * t36, 0.0), 0.0)
-    t38 = t37 * t37
-    t39 = t29 * (np.where(t26 != 0.0, np.where(t26 != 0.0, t33, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, t35, 0.0), 0.0)) + np.where(t26 != 0.0, np.where(t26 != 0.0, t34 * (t30 * (t32 + t32)), 0.0), 0.0)
-    t40 = np.where(t26 != 0.0, np.where(t26 != 0.0, t28 + t28, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, 18 * t31, 0.0), 0.0)
-    t41 = 27 * t39 + t27 * (t40 - np.where(t26 != 0.0, np.where(t26 != 0.0, 9 * t36, 0.0), 0.0))
-    t42 = 4 * t37 * t38 - np.where(t26 != 0.0, np.where(t26 != 0.0, t41 * t41, 0.0), 0.0)
-    t43 = 0.5 + 0.5 * np.copysign(1, t42)
-    t44 = np.maximum(d2, -d2)
-    t45 = np.maximum(ca2, -ca2)
-    t46 = t45 + t45
-    t47 = t44 * t46
-    t48 = np.maximum(r2, -r2)
-    t49 = np.maximum(ca3, -ca3)
-    t50 = np.maximum(r3, -r3)
-    t51 = (t44 + t44) * np.maximum(z, -z) + t47 * t48 + t44 * (t46 * t49) * t50
-    t52 = np.maximum(d4, -d4)
-    t53 = np.maximum(sa3, -sa3)
-    t54 = t51 + t47 * t52 * t53
-    t55 = np.maximum(sa2, -sa2)
-    t56 = t2 * t55 + t3 * t55 + t4 * t55 + t5 * t55
-    t57 = t56 + t6 * t55 + t1 * t55 + t55 * np.maximum(rho_squared, -rho_squared)
-    t58 = np.maximum(d3, -d3)
-    t59 = t57 + t55 * (t52 * (t58 + t58)) + t55 * (t50 * (t48 * (t49 + t49)))
-    t60 = t59 + t53 * (t55 * (t48 * (t52 + t52)))
-    t61 = t49 * t52 + t50 * t53
-    t62 = t52 + t58
-    t63 = t54 * t54 + t60 * t60 + t17 * (t61 * t61 + t62 * t62)
-    t64 = 3.552713678800501e-15 / t26 * t63
-    t65 = -0.3333333333333333 * t37
-    t66 = np.where(t26 != 0.0, np.where(t26 != 0.0, t31 + t36, 0.0), 0.0) - np.where(t26 != 0.0, np.where(t26 != 0.0, 0.5555555555555556 * t28, 0.0), 0.0)
-    t67 = 1.3333333333333333 * t27
-    t68 = t65 * t65 + 3 * (t66 * t66) + np.where(t26 != 0.0, np.where(t26 != 0.0, t65 * (t67 * t67), 0.0), 0.0)
-    t69 = t68 + np.where(t26 != 0.0, np.where(t26 != 0.0, t67 * (0.1111111111111111 * t41), 0.0), 0.0) - t66 * (-1.3333333333333333 * t37)
-    t70 = 0.016666666666666666 / np.where(t26 != 0.0, t64, 0.0) * np.minimum(t69, 3 * (3 * t66 - -0.6666666666666666 * t37))
-    t71 = np.where(t26 != 0.0, t41, 0.0)
-    t72 = 72 * t38 + 120 * np.maximum(t71, -t71) + np.where(t26 != 0.0, 5000 * t64, 0.0)
-    t73 = np.maximum(t42, -t42) / np.where(t26 != 0.0, t64 * t72, 0.0)
+    t36 = t25 * t28
+    t37 = t36 * t36
+    t38 = t35 + t37
+    t39 = t30 + 3 * t33 - 3 * t38
+    t40 = t39 * t39
+    t41 = 27 * (t31 * (t35 - t37) + t36 * (t32 * (t34 + t34)))
+    t42 = t41 + t29 * (t30 + t30 - 18 * t33 - 9 * t38)
+    t43 = 4 * t39 * t40 - t42 * t42
+    t44 = 0.5 + 0.5 * np.copysign(1, t43)
+    t45 = np.maximum(d2, -d2)
+    t46 = np.maximum(ca2, -ca2)
+    t47 = t46 + t46
+    t48 = t45 * t47
+    t49 = np.maximum(r2, -r2)
+    t50 = np.maximum(ca3, -ca3)
+    t51 = np.maximum(r3, -r3)
+    t52 = (t45 + t45) * np.maximum(z, -z) + t48 * t49 + t45 * (t47 * t50) * t51
+    t53 = np.maximum(d4, -d4)
+    t54 = np.maximum(sa3, -sa3)
+    t55 = t52 + t48 * t53 * t54
+    t56 = np.maximum(sa2, -sa2)
+    t57 = t2 * t56 + t3 * t56 + t4 * t56 + t5 * t56
+    t58 = t57 + t6 * t56 + t1 * t56 + t56 * np.maximum(rho_squared, -rho_squared)
+    t59 = np.maximum(d3, -d3)
+    t60 = t58 + t56 * (t53 * (t59 + t59)) + t56 * (t51 * (t49 * (t50 + t50)))
+    t61 = t60 + t54 * (t56 * (t49 * (t53 + t53)))
+    t62 = t50 * t53 + t51 * t54
+    t63 = t53 + t59
+    t64 = t55 * t55 + t61 * t61 + t17 * (t62 * t62 + t63 * t63)
+    t65 = 3.552713678800501e-15 * t28 * t64
+    t66 = -0.3333333333333333 * t39
+    t67 = t33 + t38 - 0.5555555555555556 * t30
+    t68 = 1.3333333333333333 * t29
+    t69 = t66 * t66 + 3 * (t67 * t67) + t66 * (t68 * t68)
+    t70 = np.minimum((t69 + t68 * (0.1111111111111111 * t42) - t67 * (-1.3333333333333333 * t39)), 3 * (3 * t67 - -0.6666666666666666 * t39))
+    t71 = 0.016666666666666666 / t65 * t70
+    t72 = 72 * t40 + 120 * np.maximum(t42, -t42) + 5000 * t65
+    t73 = np.maximum(t43, -t43) / (t65 * t72)
 
     # results
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    number[..., 0] = 2 + t43 * np.copysign(2, t70)
-    margin[..., 0] = np.minimum(t73, t73 * (1 - t43) + np.maximum(t70, -t70))
+    number[..., 0] = 2 + t44 * np.copysign(2, t71)
+    margin[..., 0] = np.minimum(t73, t73 * (1 - t44) + np.maximum(t71, -t71))
     return number.reshape(_leading), margin.reshape(_leading)
 
 
 def postures(parameters, point):
-    """two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E: 1729 operations.
+    """two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E: 1549 operations.
 
     in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
     in   point[3] = (x, y, z)
@@ -846,478 +846,484 @@ def postures(parameters, point):
 
     # terms
     t1 = d2 + d2
-    t2 = x * x + y * y
-    t3 = z * z
-    t4 = d2 * d2
-    t5 = d3 * d3
-    t6 = d4 * d4
-    t7 = r2 * r2
-    t8 = r3 * r3
-    t9 = t2 + t3 - t4 - t5 - t6 - t7 - t8 - r3 * (r2 * (ca3 + ca3))
-    t10 = t9 * sa2
-    t11 = z - r2 * ca2 - r3 * (ca3 * ca2)
-    t12 = t1 * t11
-    t13 = d4 * (-2 * d3)
-    t14 = sa2 * t13
-    t15 = 0.5 * (t14 * t14)
-    t16 = r2 * (-2 * d4)
-    t17 = sa2 * t16 * sa3
-    t18 = 0.5 * (t17 * t17)
-    t19 = sa3 * (d4 * (d2 * (-2 * ca2)))
-    t20 = 0.5 * (t19 * t19)
-    t21 = ca3 * ca3
-    t22 = 4 * t4 * (sa2 * sa2)
-    t23 = t10 * t10 + t12 * t12 + t15 + t18 + t20 - (t5 + t6 * t21 + t8 * (sa3 * sa3)) * t22
-    t24 = t22 * (0.5 * (t6 * (1 - t21)))
-    t25 = t23 - t24
-    t26 = t10 * t14 - t22 * (0.5 * (d4 * (d3 + d3)))
-    t27 = t15 - t18 - t20 - t24
-    t28 = np.maximum(t25, -t25) + np.maximum(t26, -t26) + np.maximum(t27, -t27)
-    t29 = t14 * t17
-    t30 = t10 * t17 + t12 * t19 - t22 * (0.5 * (sa3 * (r3 * (d4 * (-2 * ca3)))))
-    t31 = t28 + np.maximum(t29, -t29) + np.maximum(t30, -t30)
-    t32 = t26 / t31
-    t33 = t27 / t31
-    t34 = np.where(t31 != 0.0, t33, 0.0)
-    t35 = t34 + np.copysign(1e-17, t34)
-    t36 = 0.5 + 0.5 * np.copysign(1, t35)
-    t37 = t29 / t31
-    t38 = t37 * t37
-    t39 = np.sqrt((t35 * t35 + np.where(t31 != 0.0, np.where(t31 != 0.0, t38, 0.0), 0.0)))
-    t40 = 0.7071067811865476 * np.sqrt(((t39 + np.maximum(t35, -t35)) / t39))
-    t41 = 1 - t36
-    t42 = np.where(t31 != 0.0, 0.5 * t37 / t40 / t39, 0.0)
-    t43 = np.where(t36 != 0.0, t40, 0.0) + np.where(t41 != 0.0, t42, 0.0)
-    t44 = t30 / t31
-    t45 = np.where(t36 != 0.0, t42, 0.0) + np.where(t41 != 0.0, t40, 0.0)
-    t46 = t32 * t43 + t44 * t45
-    t47 = np.where(t31 != 0.0, t43 * t44, 0.0) - np.where(t31 != 0.0, t32 * t45, 0.0)
-    t48 = t25 / t31
-    t49 = np.where(t31 != 0.0, np.where(t31 != 0.0, t46 * t46, 0.0), 0.0) - t47 * t47 - np.where(t31 != 0.0, t39 * t48, 0.0)
-    t50 = 0.5 + 0.5 * np.copysign(1, t49)
-    t51 = 0.5 / t39
-    t52 = t39 + t39
-    t53 = np.where(t31 != 0.0, t46, 0.0)
-    t54 = 1 - t50
-    t55 = np.where(t50 != 0.0, t53, 0.0) + np.where(t54 != 0.0, -t47, 0.0)
-    t56 = np.where(t50 != 0.0, t47, 0.0) + np.where(t54 != 0.0, -t53, 0.0)
-    t57 = t56 * t56
-    t58 = t55 * t55
-    t59 = np.where(t31 != 0.0, t48 * (t50 + t50 - 1), 0.0)
-    t60 = t57 + t58 - t52 * (t59 - t39)
-    t61 = t59 - 3 * t39
-    t62 = t39 * (t60 + t39 * (t39 + t61))
-    t63 = t39 * (t57 + t57)
-    t64 = np.minimum(t39, np.where(t62 != 0.0, t39 * t63 / t62, 0.0))
-    t65 = t61 + t61
-    t66 = t60 + t64 * (t65 + 3 * t64)
-    t67 = t64 * (t60 + t64 * (t61 + t64)) - t63
-    t68 = t64 - np.where(t66 != 0.0, t67 / t66, 0.0)
-    t69 = 0.5 + 0.5 * np.copysign(1, t67)
-    t70 = 1 - t69
-    t71 = np.where(t69 != 0.0, t64, 0.0) + np.where(t70 != 0.0, t39, 0.0)
-    t72 = np.where(t70 != 0.0, t64, 0.0)
-    t73 = np.where((t68 - np.minimum(t71, np.maximum(t68, t72))) != 0.0, 1, 0.0)
-    t74 = np.where(t73 != 0.0, 0.5 * t71 + np.where(t70 != 0.0, 0.5 * t64, 0.0), 0.0) + np.where((1 - t73) != 0.0, t68, 0.0)
-    t75 = t60 + t74 * (t65 + 3 * t74)
-    t76 = t74 * (t60 + t74 * (t61 + t74)) - t63
-    t77 = t74 - np.where(t75 != 0.0, t76 / t75, 0.0)
-    t78 = 0.5 + 0.5 * np.copysign(1, t76)
-    t79 = 1 - t78
-    t80 = np.where(t78 != 0.0, t74, 0.0) + np.where(t79 != 0.0, t71, 0.0)
-    t81 = np.where(t78 != 0.0, t72, 0.0) + np.where(t79 != 0.0, t74, 0.0)
-    t82 = np.where((t77 - np.minimum(t80, np.maximum(t77, t81))) != 0.0, 1, 0.0)
-    t83 = np.where(t82 != 0.0, 0.5 * t80 + 0.5 * t81, 0.0) + np.where((1 - t82) != 0.0, t77, 0.0)
-    t84 = t60 + t83 * (t65 + 3 * t83)
-    t85 = t83 * (t60 + t83 * (t61 + t83)) - t63
-    t86 = t83 - np.where(t84 != 0.0, t85 / t84, 0.0)
-    t87 = 0.5 + 0.5 * np.copysign(1, t85)
-    t88 = 1 - t87
-    t89 = np.where(t87 != 0.0, t83, 0.0) + np.where(t88 != 0.0, t80, 0.0)
-    t90 = np.where(t87 != 0.0, t81, 0.0) + np.where(t88 != 0.0, t83, 0.0)
-    t91 = np.where((t86 - np.minimum(t89, np.maximum(t86, t90))) != 0.0, 1, 0.0)
-    t92 = np.where(t91 != 0.0, 0.5 * t89 + 0.5 * t90, 0.0) + np.where((1 - t91) != 0.0, t86, 0.0)
-    t93 = t60 + t92 * (t65 + 3 * t92)
-    t94 = t92 * (t60 + t92 * (t61 + t92)) - t63
-    t95 = t92 - np.where(t93 != 0.0, t94 / t93, 0.0)
-    t96 = 0.5 + 0.5 * np.copysign(1, t94)
-    t97 = 1 - t96
-    t98 = np.where(t96 != 0.0, t92, 0.0) + np.where(t97 != 0.0, t89, 0.0)
-    t99 = np.where(t96 != 0.0, t90, 0.0) + np.where(t97 != 0.0, t92, 0.0)
-    t100 = np.where((t95 - np.minimum(t98, np.maximum(t95, t99))) != 0.0, 1, 0.0)
-    t101 = np.where(t100 != 0.0, 0.5 * t98 + 0.5 * t99, 0.0) + np.where((1 - t100) != 0.0, t95, 0.0)
-    t102 = t60 + t101 * (t65 + 3 * t101)
-    t103 = t101 * (t60 + t101 * (t61 + t101)) - t63
-    t104 = t101 - np.where(t102 != 0.0, t103 / t102, 0.0)
-    t105 = 0.5 + 0.5 * np.copysign(1, t103)
-    t106 = 1 - t105
-    t107 = np.where(t105 != 0.0, t101, 0.0) + np.where(t106 != 0.0, t98, 0.0)
-    t108 = np.where(t105 != 0.0, t99, 0.0) + np.where(t106 != 0.0, t101, 0.0)
-    t109 = np.where((t104 - np.minimum(t107, np.maximum(t104, t108))) != 0.0, 1, 0.0)
-    t110 = np.where(t109 != 0.0, 0.5 * t107 + 0.5 * t108, 0.0) + np.where((1 - t109) != 0.0, t104, 0.0)
-    t111 = t60 + t110 * (t65 + 3 * t110)
-    t112 = t110 * (t60 + t110 * (t61 + t110)) - t63
-    t113 = t110 - np.where(t111 != 0.0, t112 / t111, 0.0)
-    t114 = 0.5 + 0.5 * np.copysign(1, t112)
-    t115 = 1 - t114
-    t116 = np.where(t114 != 0.0, t110, 0.0) + np.where(t115 != 0.0, t107, 0.0)
-    t117 = np.where(t114 != 0.0, t108, 0.0) + np.where(t115 != 0.0, t110, 0.0)
-    t118 = np.where((t113 - np.minimum(t116, np.maximum(t113, t117))) != 0.0, 1, 0.0)
-    t119 = np.where(t118 != 0.0, 0.5 * t116 + 0.5 * t117, 0.0) + np.where((1 - t118) != 0.0, t113, 0.0)
-    t120 = t60 + t119 * (t65 + 3 * t119)
-    t121 = t119 * (t60 + t119 * (t61 + t119)) - t63
-    t122 = t119 - np.where(t120 != 0.0, t121 / t120, 0.0)
-    t123 = 0.5 + 0.5 * np.copysign(1, t121)
+    t2 = np.where(t1 != 0.0, 1, 0.0)
+    t3 = t2 / (t1 + (1 - t2))
+    t4 = x * x + y * y
+    t5 = z * z
+    t6 = d2 * d2
+    t7 = d3 * d3
+    t8 = d4 * d4
+    t9 = r2 * r2
+    t10 = r3 * r3
+    t11 = t4 + t5 - t6 - t7 - t8 - t9 - t10 - r3 * (r2 * (ca3 + ca3))
+    t12 = d4 * (-2 * d3)
+    t13 = t11 * sa2
+    t14 = t12 * sa2
+    t15 = 4 * t6 * (sa2 * sa2)
+    t16 = t13 * t14 - 0.5 * (d4 * (d3 + d3)) * t15
+    t17 = z - r2 * ca2 - r3 * (ca3 * ca2)
+    t18 = t1 * t17
+    t19 = 0.5 * (t14 * t14)
+    t20 = r2 * (-2 * d4)
+    t21 = sa2 * t20 * sa3
+    t22 = 0.5 * (t21 * t21)
+    t23 = sa3 * (d4 * (d2 * (-2 * ca2)))
+    t24 = 0.5 * (t23 * t23)
+    t25 = ca3 * ca3
+    t26 = t13 * t13 + t18 * t18 + t19 + t22 + t24 - t15 * (t7 + t8 * t25 + t10 * (sa3 * sa3))
+    t27 = t15 * (0.5 * (t8 * (1 - t25)))
+    t28 = t26 - t27
+    t29 = t19 - t22 - t24 - t27
+    t30 = np.maximum(t28, -t28) + np.maximum(t16, -t16) + np.maximum(t29, -t29)
+    t31 = t14 * t21
+    t32 = t13 * t21 + t18 * t23 - t15 * (0.5 * (sa3 * (r3 * (d4 * (-2 * ca3)))))
+    t33 = t30 + np.maximum(t31, -t31) + np.maximum(t32, -t32)
+    t34 = np.where(t33 != 0.0, 1, 0.0)
+    t35 = t34 / (t33 + (1 - t34))
+    t36 = t16 * t35
+    t37 = t29 * t35
+    t38 = t37 + np.copysign(1e-17, t37)
+    t39 = 0.5 + 0.5 * np.copysign(1, t38)
+    t40 = t31 * t35
+    t41 = t40 * t40
+    t42 = np.sqrt((t38 * t38 + t41))
+    t43 = 0.7071067811865476 * np.sqrt(((t42 + np.maximum(t38, -t38)) / t42))
+    t44 = 1 - t39
+    t45 = 0.5 * t40 / t43 / t42
+    t46 = np.where(t39 != 0.0, t43, 0.0) + np.where(t44 != 0.0, t45, 0.0)
+    t47 = t32 * t35
+    t48 = np.where(t39 != 0.0, t45, 0.0) + np.where(t44 != 0.0, t43, 0.0)
+    t49 = t36 * t46 + t47 * t48
+    t50 = t46 * t47 - t36 * t48
+    t51 = t28 * t35
+    t52 = 0.5 * np.copysign(1, t49 * t49 - t50 * t50 - t42 * t51)
+    t53 = 0.5 + t52
+    t54 = 0.5 / t42
+    t55 = t42 + t42
+    t56 = 1 - t53
+    t57 = np.where(t53 != 0.0, t49, 0.0) + np.where(t56 != 0.0, -t50, 0.0)
+    t58 = np.where(t53 != 0.0, t50, 0.0) + np.where(t56 != 0.0, -t49, 0.0)
+    t59 = t58 * t58
+    t60 = t42 * (t59 + t59)
+    t61 = t57 * t57
+    t62 = t51 * (t53 + t53 - 1)
+    t63 = t59 + t61 - t55 * (t62 - t42)
+    t64 = t62 - 3 * t42
+    t65 = t42 * (t63 + t42 * (t42 + t64))
+    t66 = np.where(t65 != 0.0, 1, 0.0)
+    t67 = np.minimum(t42, t42 * t60 * (t66 / (t65 + (1 - t66))))
+    t68 = t67 * (t63 + t67 * (t64 + t67)) - t60
+    t69 = t64 + t64
+    t70 = t63 + t67 * (t69 + 3 * t67)
+    t71 = np.where(t70 != 0.0, 1, 0.0)
+    t72 = t67 - t68 * (t71 / (t70 + (1 - t71)))
+    t73 = 0.5 + 0.5 * np.copysign(1, t68)
+    t74 = 1 - t73
+    t75 = np.where(t73 != 0.0, t67, 0.0) + np.where(t74 != 0.0, t42, 0.0)
+    t76 = np.where(t74 != 0.0, t67, 0.0)
+    t77 = np.where((t72 - np.minimum(t75, np.maximum(t72, t76))) != 0.0, 1, 0.0)
+    t78 = np.where(t77 != 0.0, 0.5 * t75 + np.where(t74 != 0.0, 0.5 * t67, 0.0), 0.0) + np.where((1 - t77) != 0.0, t72, 0.0)
+    t79 = t78 * (t63 + t78 * (t64 + t78)) - t60
+    t80 = t63 + t78 * (t69 + 3 * t78)
+    t81 = np.where(t80 != 0.0, 1, 0.0)
+    t82 = t78 - t79 * (t81 / (t80 + (1 - t81)))
+    t83 = 0.5 + 0.5 * np.copysign(1, t79)
+    t84 = 1 - t83
+    t85 = np.where(t83 != 0.0, t78, 0.0) + np.where(t84 != 0.0, t75, 0.0)
+    t86 = np.where(t83 != 0.0, t76, 0.0) + np.where(t84 != 0.0, t78, 0.0)
+    t87 = np.where((t82 - np.minimum(t85, np.maximum(t82, t86))) != 0.0, 1, 0.0)
+    t88 = np.where(t87 != 0.0, 0.5 * t85 + 0.5 * t86, 0.0) + np.where((1 - t87) != 0.0, t82, 0.0)
+    t89 = t88 * (t63 + t88 * (t64 + t88)) - t60
+    t90 = t63 + t88 * (t69 + 3 * t88)
+    t91 = np.where(t90 != 0.0, 1, 0.0)
+    t92 = t88 - t89 * (t91 / (t90 + (1 - t91)))
+    t93 = 0.5 + 0.5 * np.copysign(1, t89)
+    t94 = 1 - t93
+    t95 = np.where(t93 != 0.0, t88, 0.0) + np.where(t94 != 0.0, t85, 0.0)
+    t96 = np.where(t93 != 0.0, t86, 0.0) + np.where(t94 != 0.0, t88, 0.0)
+    t97 = np.where((t92 - np.minimum(t95, np.maximum(t92, t96))) != 0.0, 1, 0.0)
+    t98 = np.where(t97 != 0.0, 0.5 * t95 + 0.5 * t96, 0.0) + np.where((1 - t97) != 0.0, t92, 0.0)
+    t99 = t98 * (t63 + t98 * (t64 + t98)) - t60
+    t100 = t63 + t98 * (t69 + 3 * t98)
+    t101 = np.where(t100 != 0.0, 1, 0.0)
+    t102 = t98 - t99 * (t101 / (t100 + (1 - t101)))
+    t103 = 0.5 + 0.5 * np.copysign(1, t99)
+    t104 = 1 - t103
+    t105 = np.where(t103 != 0.0, t98, 0.0) + np.where(t104 != 0.0, t95, 0.0)
+    t106 = np.where(t103 != 0.0, t96, 0.0) + np.where(t104 != 0.0, t98, 0.0)
+    t107 = np.where((t102 - np.minimum(t105, np.maximum(t102, t106))) != 0.0, 1, 0.0)
+    t108 = np.where(t107 != 0.0, 0.5 * t105 + 0.5 * t106, 0.0) + np.where((1 - t107) != 0.0, t102, 0.0)
+    t109 = t108 * (t63 + t108 * (t64 + t108)) - t60
+    t110 = t63 + t108 * (t69 + 3 * t108)
+    t111 = np.where(t110 != 0.0, 1, 0.0)
+    t112 = t108 - t109 * (t111 / (t110 + (1 - t111)))
+    t113 = 0.5 + 0.5 * np.copysign(1, t109)
+    t114 = 1 - t113
+    t115 = np.where(t113 != 0.0, t108, 0.0) + np.where(t114 != 0.0, t105, 0.0)
+    t116 = np.where(t113 != 0.0, t106, 0.0) + np.where(t114 != 0.0, t108, 0.0)
+    t117 = np.where((t112 - np.minimum(t115, np.maximum(t112, t116))) != 0.0, 1, 0.0)
+    t118 = np.where(t117 != 0.0, 0.5 * t115 + 0.5 * t116, 0.0) + np.where((1 - t117) != 0.0, t112, 0.0)
+    t119 = t118 * (t63 + t118 * (t64 + t118)) - t60
+    t120 = t63 + t118 * (t69 + 3 * t118)
+    t121 = np.where(t120 != 0.0, 1, 0.0)
+    t122 = t118 - t119 * (t121 / (t120 + (1 - t121)))
+    t123 = 0.5 + 0.5 * np.copysign(1, t119)
     t124 = 1 - t123
-    t125 = np.where(t123 != 0.0, t119, 0.0) + np.where(t124 != 0.0, t116, 0.0)
-    t126 = np.where(t123 != 0.0, t117, 0.0) + np.where(t124 != 0.0, t119, 0.0)
+    t125 = np.where(t123 != 0.0, t118, 0.0) + np.where(t124 != 0.0, t115, 0.0)
+    t126 = np.where(t123 != 0.0, t116, 0.0) + np.where(t124 != 0.0, t118, 0.0)
     t127 = np.where((t122 - np.minimum(t125, np.maximum(t122, t126))) != 0.0, 1, 0.0)
     t128 = np.where(t127 != 0.0, 0.5 * t125 + 0.5 * t126, 0.0) + np.where((1 - t127) != 0.0, t122, 0.0)
-    t129 = t60 + t128 * (t65 + 3 * t128)
-    t130 = t128 * (t60 + t128 * (t61 + t128)) - t63
-    t131 = t128 - np.where(t129 != 0.0, t130 / t129, 0.0)
-    t132 = 0.5 + 0.5 * np.copysign(1, t130)
-    t133 = 1 - t132
-    t134 = np.where(t132 != 0.0, t128, 0.0) + np.where(t133 != 0.0, t125, 0.0)
-    t135 = np.where(t132 != 0.0, t126, 0.0) + np.where(t133 != 0.0, t128, 0.0)
-    t136 = np.where((t131 - np.minimum(t134, np.maximum(t131, t135))) != 0.0, 1, 0.0)
-    t137 = np.where(t136 != 0.0, 0.5 * t134 + 0.5 * t135, 0.0) + np.where((1 - t136) != 0.0, t131, 0.0)
-    t138 = t60 + t137 * (t65 + 3 * t137)
-    t139 = t137 * (t60 + t137 * (t61 + t137)) - t63
-    t140 = t137 - np.where(t138 != 0.0, t139 / t138, 0.0)
-    t141 = 0.5 + 0.5 * np.copysign(1, t139)
-    t142 = 1 - t141
-    t143 = np.where(t141 != 0.0, t137, 0.0) + np.where(t142 != 0.0, t134, 0.0)
-    t144 = np.where(t141 != 0.0, t135, 0.0) + np.where(t142 != 0.0, t137, 0.0)
-    t145 = np.where((t140 - np.minimum(t143, np.maximum(t140, t144))) != 0.0, 1, 0.0)
-    t146 = np.where(t145 != 0.0, 0.5 * t143 + 0.5 * t144, 0.0) + np.where((1 - t145) != 0.0, t140, 0.0)
-    t147 = t60 + t146 * (t65 + 3 * t146)
-    t148 = t146 * (t60 + t146 * (t61 + t146)) - t63
-    t149 = t146 - np.where(t147 != 0.0, t148 / t147, 0.0)
-    t150 = 0.5 + 0.5 * np.copysign(1, t148)
-    t151 = 1 - t150
-    t152 = np.where(t150 != 0.0, t146, 0.0) + np.where(t151 != 0.0, t143, 0.0)
-    t153 = np.where(t150 != 0.0, t144, 0.0) + np.where(t151 != 0.0, t146, 0.0)
-    t154 = np.where((t149 - np.minimum(t152, np.maximum(t149, t153))) != 0.0, 1, 0.0)
-    t155 = np.where(t154 != 0.0, 0.5 * t152 + 0.5 * t153, 0.0) + np.where((1 - t154) != 0.0, t149, 0.0)
-    t156 = t60 + t155 * (t65 + 3 * t155)
-    t157 = t155 * (t60 + t155 * (t61 + t155)) - t63
-    t158 = t155 - np.where(t156 != 0.0, t157 / t156, 0.0)
-    t159 = 0.5 + 0.5 * np.copysign(1, t157)
-    t160 = 1 - t159
-    t161 = np.where(t159 != 0.0, t155, 0.0) + np.where(t160 != 0.0, t152, 0.0)
-    t162 = np.where(t159 != 0.0, t153, 0.0) + np.where(t160 != 0.0, t155, 0.0)
-    t163 = np.where((t158 - np.minimum(t161, np.maximum(t158, t162))) != 0.0, 1, 0.0)
-    t164 = np.where(t163 != 0.0, 0.5 * t161 + 0.5 * t162, 0.0) + np.where((1 - t163) != 0.0, t158, 0.0)
-    t165 = t60 + t164 * (t65 + 3 * t164)
-    t166 = t164 * (t60 + t164 * (t61 + t164)) - t63
-    t167 = t164 - np.where(t165 != 0.0, t166 / t165, 0.0)
-    t168 = 0.5 + 0.5 * np.copysign(1, t166)
-    t169 = 1 - t168
-    t170 = np.where(t168 != 0.0, t164, 0.0) + np.where(t169 != 0.0, t161, 0.0)
-    t171 = np.where(t168 != 0.0, t162, 0.0) + np.where(t169 != 0.0, t164, 0.0)
-    t172 = np.where((t167 - np.minimum(t170, np.maximum(t167, t171))) != 0.0, 1, 0.0)
-    t173 = np.where(t172 != 0.0, 0.5 * t170 + 0.5 * t171, 0.0) + np.where((1 - t172) != 0.0, t167, 0.0)
-    t174 = t52 - t173
-    t175 = np.sqrt(t174)
-    t176 = t55 / t175
-    t177 = 0.5 + 0.5 * np.copysign(1, t173 - 1e-25)
-    t178 = np.sqrt(t173)
-    t179 = np.copysign(np.sqrt(np.maximum(0.0, t39 + t58 / t174 - t59 - t173)), t56)
-    t180 = np.where(t177 != 0.0, np.where(t178 != 0.0, t56 / t178, 0.0), 0.0) + np.where((1 - t177) != 0.0, t179, 0.0)
-    t181 = t176 + t180
-    t182 = t52 - t181 * t181
-    t183 = np.sqrt(np.maximum(0.0, t182))
-    t184 = t178 * t183
-    t185 = t175 * t181
-    t186 = t51 * (t184 - t185)
-    t187 = t178 * t181
-    t188 = t175 * t183
-    t189 = t51 * (t187 + t188)
-    t190 = np.where(t50 != 0.0, t186, 0.0) + np.where(t54 != 0.0, t189, 0.0)
-    t191 = np.where(t50 != 0.0, t189, 0.0) + np.where(t54 != 0.0, t186, 0.0)
-    t192 = t43 * t190 - t45 * t191
-    t193 = t45 * t190 + t43 * t191
-    t194 = t192 + t193
-    t195 = t192 - t193
-    t196 = np.where(t31 != 0.0, t44 * t192 + t37 * t194 * t195, 0.0) - np.where(t31 != 0.0, t32 * t193, 0.0)
-    t197 = t192 + t192
-    t198 = t196 - np.where(t31 != 0.0, t193 * (t33 * t197), 0.0)
-    t199 = t198 * t198
-    t200 = t32 + t32
-    t201 = t44 + t44
-    t202 = t48 + t192 * t200 + t193 * t201 + t195 * (t33 * t194)
-    t203 = t198 / (2e-18 + (t199 + t199)) * (t202 + t193 * (t37 * t197))
-    t204 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t203, 0.0)))
-    t205 = t192 - t193 * t204
-    t206 = t193 + t192 * t204
-    t207 = np.sqrt((t205 * t205 + t206 * t206))
-    t208 = t205 / t207
-    t209 = np.where(t207 != 0.0, t208, 0.0)
-    t210 = t206 / t207
-    t211 = t208 + t210
-    t212 = t209 - np.where(t207 != 0.0, t210, 0.0)
-    t213 = np.where(t31 != 0.0, np.where(t207 != 0.0, t44 * t208, 0.0), 0.0) + np.where(t207 != 0.0, np.where(t31 != 0.0, t37 * t211 * t212, 0.0), 0.0)
-    t214 = t208 + t208
-    t215 = t213 - np.where(t207 != 0.0, np.where(t31 != 0.0, t32 * t210, 0.0), 0.0) - np.where(t207 != 0.0, np.where(t31 != 0.0, np.where(t207 != 0.0, t210 * (t33 * t214), 0.0), 0.0), 0.0)
-    t216 = t215 * t215
-    t217 = np.where(t31 != 0.0, t48, 0.0)
-    t218 = t217 + np.where(t207 != 0.0, np.where(t31 != 0.0, t200 * t208, 0.0), 0.0) + np.where(t207 != 0.0, np.where(t31 != 0.0, t201 * t210, 0.0), 0.0)
-    t219 = t218 + np.where(t207 != 0.0, np.where(t31 != 0.0, t212 * (t33 * t211), 0.0), 0.0) + np.where(t207 != 0.0, np.where(t31 != 0.0, np.where(t207 != 0.0, t210 * (t37 * t214), 0.0), 0.0), 0.0)
-    t220 = np.maximum((-0.001), np.minimum(0.001, -(t215 / (2e-18 + (t216 + t216)) * t219)))
-    t221 = t209 - np.where(t207 != 0.0, t210 * t220, 0.0)
-    t222 = t210 + t208 * t220
-    t223 = np.sqrt((t221 * t221 + np.where(t207 != 0.0, np.where(t207 != 0.0, t222 * t222, 0.0), 0.0)))
-    t224 = t221 / t223
-    t225 = t16 * sa3
-    t226 = t222 / t223
-    t227 = t9 + np.where(t223 != 0.0, t13 * t224, 0.0) + np.where(t207 != 0.0, np.where(t223 != 0.0, t225 * t226, 0.0), 0.0)
-    t228 = t227 / t1
-    t229 = d3 + np.where(t223 != 0.0, d4 * t224, 0.0)
-    t230 = sa3 * (d4 * ca2)
-    t231 = (t11 + np.where(t207 != 0.0, np.where(t223 != 0.0, -(t226 * t230), 0.0), 0.0)) / sa2
-    t232 = d4 * ca3
-    t233 = r3 * sa3
-    t234 = np.where(t207 != 0.0, np.where(t223 != 0.0, t226 * t232, 0.0), 0.0) - t233
-    t235 = np.where(t1 != 0.0, t228 * t229, 0.0) + np.where(sa2 != 0.0, t231 * t234, 0.0)
-    t236 = np.where(sa2 != 0.0, t229 * t231, 0.0) - np.where(t1 != 0.0, t228 * t234, 0.0)
+    t129 = t128 * (t63 + t128 * (t64 + t128)) - t60
+    t130 = t63 + t128 * (t69 + 3 * t128)
+    t131 = np.where(t130 != 0.0, 1, 0.0)
+    t132 = t128 - t129 * (t131 / (t130 + (1 - t131)))
+    t133 = 0.5 + 0.5 * np.copysign(1, t129)
+    t134 = 1 - t133
+    t135 = np.where(t133 != 0.0, t128, 0.0) + np.where(t134 != 0.0, t125, 0.0)
+    t136 = np.where(t133 != 0.0, t126, 0.0) + np.where(t134 != 0.0, t128, 0.0)
+    t137 = np.where((t132 - np.minimum(t135, np.maximum(t132, t136))) != 0.0, 1, 0.0)
+    t138 = np.where(t137 != 0.0, 0.5 * t135 + 0.5 * t136, 0.0) + np.where((1 - t137) != 0.0, t132, 0.0)
+    t139 = t138 * (t63 + t138 * (t64 + t138)) - t60
+    t140 = t63 + t138 * (t69 + 3 * t138)
+    t141 = np.where(t140 != 0.0, 1, 0.0)
+    t142 = t138 - t139 * (t141 / (t140 + (1 - t141)))
+    t143 = 0.5 + 0.5 * np.copysign(1, t139)
+    t144 = 1 - t143
+    t145 = np.where(t143 != 0.0, t138, 0.0) + np.where(t144 != 0.0, t135, 0.0)
+    t146 = np.where(t143 != 0.0, t136, 0.0) + np.where(t144 != 0.0, t138, 0.0)
+    t147 = np.where((t142 - np.minimum(t145, np.maximum(t142, t146))) != 0.0, 1, 0.0)
+    t148 = np.where(t147 != 0.0, 0.5 * t145 + 0.5 * t146, 0.0) + np.where((1 - t147) != 0.0, t142, 0.0)
+    t149 = t148 * (t63 + t148 * (t64 + t148)) - t60
+    t150 = t63 + t148 * (t69 + 3 * t148)
+    t151 = np.where(t150 != 0.0, 1, 0.0)
+    t152 = t148 - t149 * (t151 / (t150 + (1 - t151)))
+    t153 = 0.5 + 0.5 * np.copysign(1, t149)
+    t154 = 1 - t153
+    t155 = np.where(t153 != 0.0, t148, 0.0) + np.where(t154 != 0.0, t145, 0.0)
+    t156 = np.where(t153 != 0.0, t146, 0.0) + np.where(t154 != 0.0, t148, 0.0)
+    t157 = np.where((t152 - np.minimum(t155, np.maximum(t152, t156))) != 0.0, 1, 0.0)
+    t158 = np.where(t157 != 0.0, 0.5 * t155 + 0.5 * t156, 0.0) + np.where((1 - t157) != 0.0, t152, 0.0)
+    t159 = t158 * (t63 + t158 * (t64 + t158)) - t60
+    t160 = t63 + t158 * (t69 + 3 * t158)
+    t161 = np.where(t160 != 0.0, 1, 0.0)
+    t162 = t158 - t159 * (t161 / (t160 + (1 - t161)))
+    t163 = 0.5 + 0.5 * np.copysign(1, t159)
+    t164 = 1 - t163
+    t165 = np.where(t163 != 0.0, t158, 0.0) + np.where(t164 != 0.0, t155, 0.0)
+    t166 = np.where(t163 != 0.0, t156, 0.0) + np.where(t164 != 0.0, t158, 0.0)
+    t167 = np.where((t162 - np.minimum(t165, np.maximum(t162, t166))) != 0.0, 1, 0.0)
+    t168 = np.where(t167 != 0.0, 0.5 * t165 + 0.5 * t166, 0.0) + np.where((1 - t167) != 0.0, t162, 0.0)
+    t169 = t168 * (t63 + t168 * (t64 + t168)) - t60
+    t170 = t63 + t168 * (t69 + 3 * t168)
+    t171 = np.where(t170 != 0.0, 1, 0.0)
+    t172 = t168 - t169 * (t171 / (t170 + (1 - t171)))
+    t173 = 0.5 + 0.5 * np.copysign(1, t169)
+    t174 = 1 - t173
+    t175 = np.where(t173 != 0.0, t168, 0.0) + np.where(t174 != 0.0, t165, 0.0)
+    t176 = np.where(t173 != 0.0, t166, 0.0) + np.where(t174 != 0.0, t168, 0.0)
+    t177 = np.where((t172 - np.minimum(t175, np.maximum(t172, t176))) != 0.0, 1, 0.0)
+    t178 = np.where(t177 != 0.0, 0.5 * t175 + 0.5 * t176, 0.0) + np.where((1 - t177) != 0.0, t172, 0.0)
+    t179 = t178 * (t63 + t178 * (t64 + t178)) - t60
+    t180 = t63 + t178 * (t69 + 3 * t178)
+    t181 = np.where(t180 != 0.0, 1, 0.0)
+    t182 = t178 - t179 * (t181 / (t180 + (1 - t181)))
+    t183 = 0.5 + 0.5 * np.copysign(1, t179)
+    t184 = 1 - t183
+    t185 = np.where(t183 != 0.0, t178, 0.0) + np.where(t184 != 0.0, t175, 0.0)
+    t186 = np.where(t183 != 0.0, t176, 0.0) + np.where(t184 != 0.0, t178, 0.0)
+    t187 = np.where((t182 - np.minimum(t185, np.maximum(t182, t186))) != 0.0, 1, 0.0)
+    t188 = np.where(t187 != 0.0, 0.5 * t185 + 0.5 * t186, 0.0) + np.where((1 - t187) != 0.0, t182, 0.0)
+    t189 = t55 - t188
+    t190 = np.sqrt(t189)
+    t191 = t57 / t190
+    t192 = 0.5 + 0.5 * np.copysign(1, t188 - 1e-25)
+    t193 = np.sqrt(t188)
+    t194 = np.where(t193 != 0.0, 1, 0.0)
+    t195 = np.copysign(np.sqrt(np.maximum(0.0, t42 + t61 / t189 - t62 - t188)), t58)
+    t196 = np.where(t192 != 0.0, t58 * (t194 / (t193 + (1 - t194))), 0.0) + np.where((1 - t192) != 0.0, t195, 0.0)
+    t197 = t191 + t196
+    t198 = t55 - t197 * t197
+    t199 = np.sqrt(np.maximum(0.0, t198))
+    t200 = t193 * t199
+    t201 = t190 * t197
+    t202 = t54 * (t200 - t201)
+    t203 = t193 * t197
+    t204 = t190 * t199
+    t205 = t54 * (t203 + t204)
+    t206 = np.where(t53 != 0.0, t202, 0.0) + np.where(t56 != 0.0, t205, 0.0)
+    t207 = np.where(t53 != 0.0, t205, 0.0) + np.where(t56 != 0.0, t202, 0.0)
+    t208 = t46 * t206 - t48 * t207
+    t209 = t48 * t206 + t46 * t207
+    t210 = t208 + t209
+    t211 = t208 - t209
+    t212 = t208 + t208
+    t213 = t47 * t208 + t40 * t210 * t211 - t36 * t209 - t209 * (t37 * t212)
+    t214 = t213 * t213
+    t215 = t36 + t36
+    t216 = t47 + t47
+    t217 = t51 + t208 * t215 + t209 * t216 + t211 * (t37 * t210)
+    t218 = t213 / (2e-18 + (t214 + t214)) * (t217 + t209 * (t40 * t212))
+    t219 = np.maximum((-0.001), np.minimum(0.001, -t218))
+    t220 = t208 - t209 * t219
+    t221 = t209 + t208 * t219
+    t222 = np.sqrt((t220 * t220 + t221 * t221))
+    t223 = np.where(t222 != 0.0, 1, 0.0)
+    t224 = t223 / (t222 + (1 - t223))
+    t225 = t220 * t224
+    t226 = t221 * t224
+    t227 = t225 + t226
+    t228 = t225 - t226
+    t229 = t225 + t225
+    t230 = t47 * t225 + t40 * t227 * t228 - t36 * t226 - t226 * (t37 * t229)
+    t231 = t230 * t230
+    t232 = t51 + t215 * t225 + t216 * t226 + t228 * (t37 * t227)
+    t233 = t230 / (2e-18 + (t231 + t231)) * (t232 + t226 * (t40 * t229))
+    t234 = np.maximum((-0.001), np.minimum(0.001, -t233))
+    t235 = t225 - t226 * t234
+    t236 = t226 + t225 * t234
     t237 = np.sqrt((t235 * t235 + t236 * t236))
-    t238 = t235 / t237
-    t239 = t236 / t237
-    t240 = d2 + (np.where(t237 != 0.0, t229 * t238, 0.0) - np.where(t237 != 0.0, t234 * t239, 0.0))
-    t241 = t234 * t238 + t229 * t239
-    t242 = r3 * ca3
-    t243 = r2 + (t242 + np.where(t207 != 0.0, np.where(t223 != 0.0, sa3 * (d4 * t226), 0.0), 0.0))
-    t244 = np.where(t237 != 0.0, ca2 * t241, 0.0) - sa2 * t243
-    t245 = np.arctan2((y * t240 - x * t244), x * t240 + y * t244)
-    t246 = np.where(t207 != 0.0, np.where(t223 != 0.0, t226, 0.0), 0.0)
-    t247 = np.where(t223 != 0.0, t224, 0.0)
-    t248 = -(t51 * (t184 + t185))
-    t249 = t51 * (t187 - t188)
-    t250 = np.where(t50 != 0.0, t248, 0.0) + np.where(t54 != 0.0, t249, 0.0)
-    t251 = np.where(t50 != 0.0, t249, 0.0) + np.where(t54 != 0.0, t248, 0.0)
-    t252 = t43 * t250 - t45 * t251
-    t253 = t45 * t250 + t43 * t251
-    t254 = t252 + t253
-    t255 = t252 - t253
-    t256 = np.where(t31 != 0.0, t44 * t252 + t37 * t254 * t255, 0.0) - np.where(t31 != 0.0, t32 * t253, 0.0)
-    t257 = t252 + t252
-    t258 = t256 - np.where(t31 != 0.0, t253 * (t33 * t257), 0.0)
-    t259 = t258 * t258
-    t260 = t48 + t200 * t252 + t201 * t253 + t255 * (t33 * t254)
-    t261 = t258 / (2e-18 + (t259 + t259)) * (t260 + t253 * (t37 * t257))
-    t262 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t261, 0.0)))
-    t263 = t252 - t253 * t262
-    t264 = t253 + t252 * t262
-    t265 = np.sqrt((t263 * t263 + t264 * t264))
-    t266 = t263 / t265
-    t267 = np.where(t265 != 0.0, t266, 0.0)
-    t268 = t264 / t265
-    t269 = t266 + t268
-    t270 = t267 - np.where(t265 != 0.0, t268, 0.0)
-    t271 = np.where(t31 != 0.0, np.where(t265 != 0.0, t44 * t266, 0.0), 0.0) + np.where(t265 != 0.0, np.where(t31 != 0.0, t37 * t269 * t270, 0.0), 0.0)
-    t272 = t266 + t266
-    t273 = t271 - np.where(t265 != 0.0, np.where(t31 != 0.0, t32 * t268, 0.0), 0.0) - np.where(t265 != 0.0, np.where(t31 != 0.0, np.where(t265 != 0.0, t268 * (t33 * t272), 0.0), 0.0), 0.0)
-    t274 = t273 * t273
-    t275 = t217 + np.where(t265 != 0.0, np.where(t31 != 0.0, t200 * t266, 0.0), 0.0) + np.where(t265 != 0.0, np.where(t31 != 0.0, t201 * t268, 0.0), 0.0)
-    t276 = t275 + np.where(t265 != 0.0, np.where(t31 != 0.0, t270 * (t33 * t269), 0.0), 0.0) + np.where(t265 != 0.0, np.where(t31 != 0.0, np.where(t265 != 0.0, t268 * (t37 * t272), 0.0), 0.0), 0.0)
-    t277 = np.maximum((-0.001), np.minimum(0.001, -(t273 / (2e-18 + (t274 + t274)) * t276)))
-    t278 = t267 - np.where(t265 != 0.0, t268 * t277, 0.0)
-    t279 = t268 + t266 * t277
-    t280 = np.sqrt((t278 * t278 + np.where(t265 != 0.0, np.where(t265 != 0.0, t279 * t279, 0.0), 0.0)))
-    t281 = t278 / t280
-    t282 = t279 / t280
-    t283 = t9 + np.where(t280 != 0.0, t13 * t281, 0.0) + np.where(t265 != 0.0, np.where(t280 != 0.0, t225 * t282, 0.0), 0.0)
-    t284 = t283 / t1
-    t285 = d3 + np.where(t280 != 0.0, d4 * t281, 0.0)
-    t286 = (t11 + np.where(t265 != 0.0, np.where(t280 != 0.0, -(t230 * t282), 0.0), 0.0)) / sa2
-    t287 = np.where(t265 != 0.0, np.where(t280 != 0.0, t232 * t282, 0.0), 0.0) - t233
-    t288 = np.where(t1 != 0.0, t284 * t285, 0.0) + np.where(sa2 != 0.0, t286 * t287, 0.0)
-    t289 = np.where(sa2 != 0.0, t285 * t286, 0.0) - np.where(t1 != 0.0, t284 * t287, 0.0)
-    t290 = np.sqrt((t288 * t288 + t289 * t289))
-    t291 = t288 / t290
-    t292 = t289 / t290
-    t293 = d2 + (np.where(t290 != 0.0, t285 * t291, 0.0) - np.where(t290 != 0.0, t287 * t292, 0.0))
-    t294 = t287 * t291 + t285 * t292
-    t295 = r2 + (t242 + np.where(t265 != 0.0, np.where(t280 != 0.0, sa3 * (d4 * t282), 0.0), 0.0))
-    t296 = np.where(t290 != 0.0, ca2 * t294, 0.0) - sa2 * t295
-    t297 = np.arctan2((y * t293 - x * t296), x * t293 + y * t296)
-    t298 = np.where(t265 != 0.0, np.where(t280 != 0.0, t282, 0.0), 0.0)
-    t299 = np.where(t280 != 0.0, t281, 0.0)
-    t300 = t176 - t180
-    t301 = t175 * t300
-    t302 = t52 - t300 * t300
-    t303 = np.sqrt(np.maximum(0.0, t302))
-    t304 = t178 * t303
-    t305 = -(t51 * (t301 + t304))
-    t306 = t175 * t303
-    t307 = t178 * t300
-    t308 = t51 * (t306 - t307)
-    t309 = np.where(t50 != 0.0, t305, 0.0) + np.where(t54 != 0.0, t308, 0.0)
-    t310 = np.where(t50 != 0.0, t308, 0.0) + np.where(t54 != 0.0, t305, 0.0)
-    t311 = t43 * t309 - t45 * t310
-    t312 = t45 * t309 + t43 * t310
-    t313 = t311 + t312
-    t314 = t311 - t312
-    t315 = np.where(t31 != 0.0, t44 * t311 + t37 * t313 * t314, 0.0) - np.where(t31 != 0.0, t32 * t312, 0.0)
-    t316 = t311 + t311
-    t317 = t315 - np.where(t31 != 0.0, t312 * (t33 * t316), 0.0)
-    t318 = t317 * t317
-    t319 = t48 + t200 * t311 + t201 * t312 + t314 * (t33 * t313)
-    t320 = t317 / (2e-18 + (t318 + t318)) * (t319 + t312 * (t37 * t316))
-    t321 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t320, 0.0)))
-    t322 = t311 - t312 * t321
-    t323 = t312 + t311 * t321
-    t324 = np.sqrt((t322 * t322 + t323 * t323))
-    t325 = t322 / t324
-    t326 = np.where(t324 != 0.0, t325, 0.0)
-    t327 = t323 / t324
-    t328 = t325 + t327
-    t329 = t326 - np.where(t324 != 0.0, t327, 0.0)
-    t330 = np.where(t31 != 0.0, np.where(t324 != 0.0, t44 * t325, 0.0), 0.0) + np.where(t324 != 0.0, np.where(t31 != 0.0, t37 * t328 * t329, 0.0), 0.0)
-    t331 = t325 + t325
-    t332 = t330 - np.where(t324 != 0.0, np.where(t31 != 0.0, t32 * t327, 0.0), 0.0) - np.where(t324 != 0.0, np.where(t31 != 0.0, np.where(t324 != 0.0, t327 * (t33 * t331), 0.0), 0.0), 0.0)
-    t333 = t332 * t332
-    t334 = t217 + np.where(t324 != 0.0, np.where(t31 != 0.0, t200 * t325, 0.0), 0.0) + np.where(t324 != 0.0, np.where(t31 != 0.0, t201 * t327, 0.0), 0.0)
-    t335 = t334 + np.where(t324 != 0.0, np.where(t31 != 0.0, t329 * (t33 * t328), 0.0), 0.0) + np.where(t324 != 0.0, np.where(t31 != 0.0, np.where(t324 != 0.0, t327 * (t37 * t331), 0.0), 0.0), 0.0)
-    t336 = np.maximum((-0.001), np.minimum(0.001, -(t332 / (2e-18 + (t333 + t333)) * t335)))
-    t337 = t326 - np.where(t324 != 0.0, t327 * t336, 0.0)
-    t338 = t327 + t325 * t336
-    t339 = np.sqrt((t337 * t337 + np.where(t324 != 0.0, np.where(t324 != 0.0, t338 * t338, 0.0), 0.0)))
-    t340 = t337 / t339
-    t341 = t338 / t339
-    t342 = t9 + np.where(t339 != 0.0, t13 * t340, 0.0) + np.where(t324 != 0.0, np.where(t339 != 0.0, t225 * t341, 0.0), 0.0)
-    t343 = t342 / t1
-    t344 = d3 + np.where(t339 != 0.0, d4 * t340, 0.0)
-    t345 = (t11 + np.where(t324 != 0.0, np.where(t339 != 0.0, -(t230 * t341), 0.0), 0.0)) / sa2
-    t346 = np.where(t324 != 0.0, np.where(t339 != 0.0, t232 * t341, 0.0), 0.0) - t233
-    t347 = np.where(t1 != 0.0, t343 * t344, 0.0) + np.where(sa2 != 0.0, t345 * t346, 0.0)
-    t348 = np.where(sa2 != 0.0, t344 * t345, 0.0) - np.where(t1 != 0.0, t343 * t346, 0.0)
-    t349 = np.sqrt((t347 * t347 + t348 * t348))
-    t350 = t347 / t349
-    t351 = t348 / t349
-    t352 = d2 + (np.where(t349 != 0.0, t344 * t350, 0.0) - np.where(t349 != 0.0, t346 * t351, 0.0))
-    t353 = t346 * t350 + t344 * t351
-    t354 = r2 + (t242 + np.where(t324 != 0.0, np.where(t339 != 0.0, sa3 * (d4 * t341), 0.0), 0.0))
-    t355 = np.where(t349 != 0.0, ca2 * t353, 0.0) - sa2 * t354
-    t356 = np.arctan2((y * t352 - x * t355), x * t352 + y * t355)
-    t357 = np.where(t324 != 0.0, np.where(t339 != 0.0, t341, 0.0), 0.0)
-    t358 = np.where(t339 != 0.0, t340, 0.0)
-    t359 = t51 * (t304 - t301)
-    t360 = -(t51 * (t306 + t307))
-    t361 = np.where(t50 != 0.0, t359, 0.0) + np.where(t54 != 0.0, t360, 0.0)
-    t362 = np.where(t50 != 0.0, t360, 0.0) + np.where(t54 != 0.0, t359, 0.0)
-    t363 = t43 * t361 - t45 * t362
-    t364 = t45 * t361 + t43 * t362
-    t365 = t363 + t364
-    t366 = t363 - t364
-    t367 = np.where(t31 != 0.0, t44 * t363 + t37 * t365 * t366, 0.0) - np.where(t31 != 0.0, t32 * t364, 0.0)
-    t368 = t363 + t363
-    t369 = t367 - np.where(t31 != 0.0, t364 * (t33 * t368), 0.0)
-    t370 = t369 * t369
-    t371 = t48 + t200 * t363 + t201 * t364 + t366 * (t33 * t365)
-    t372 = t369 / (2e-18 + (t370 + t370)) * (t371 + t364 * (t37 * t368))
-    t373 = np.maximum((-0.001), np.minimum(0.001, -np.where(t31 != 0.0, t372, 0.0)))
-    t374 = t363 - t364 * t373
-    t375 = t364 + t363 * t373
-    t376 = np.sqrt((t374 * t374 + t375 * t375))
-    t377 = t374 / t376
-    t378 = np.where(t376 != 0.0, t377, 0.0)
-    t379 = t375 / t376
-    t380 = t377 + t379
-    t381 = t378 - np.where(t376 != 0.0, t379, 0.0)
-    t382 = np.where(t31 != 0.0, np.where(t376 != 0.0, t44 * t377, 0.0), 0.0) + np.where(t376 != 0.0, np.where(t31 != 0.0, t37 * t380 * t381, 0.0), 0.0)
-    t383 = t377 + t377
-    t384 = t382 - np.where(t376 != 0.0, np.where(t31 != 0.0, t32 * t379, 0.0), 0.0) - np.where(t376 != 0.0, np.where(t31 != 0.0, np.where(t376 != 0.0, t379 * (t33 * t383), 0.0), 0.0), 0.0)
-    t385 = t384 * t384
-    t386 = t217 + np.where(t376 != 0.0, np.where(t31 != 0.0, t200 * t377, 0.0), 0.0) + np.where(t376 != 0.0, np.where(t31 != 0.0, t201 * t379, 0.0), 0.0)
-    t387 = t386 + np.where(t376 != 0.0, np.where(t31 != 0.0, t381 * (t33 * t380), 0.0), 0.0) + np.where(t376 != 0.0, np.where(t31 != 0.0, np.where(t376 != 0.0, t379 * (t37 * t383), 0.0), 0.0), 0.0)
-    t388 = np.maximum((-0.001), np.minimum(0.001, -(t384 / (2e-18 + (t385 + t385)) * t387)))
-    t389 = t378 - np.where(t376 != 0.0, t379 * t388, 0.0)
-    t390 = t379 + t377 * t388
-    t391 = np.sqrt((t389 * t389 + np.where(t376 != 0.0, np.where(t376 != 0.0, t390 * t390, 0.0), 0.0)))
-    t392 = t389 / t391
-    t393 = t390 / t391
-    t394 = t9 + np.where(t391 != 0.0, t13 * t392, 0.0) + np.where(t376 != 0.0, np.where(t391 != 0.0, t225 * t393, 0.0), 0.0)
-    t395 = t394 / t1
-    t396 = d3 + np.where(t391 != 0.0, d4 * t392, 0.0)
-    t397 = (t11 + np.where(t376 != 0.0, np.where(t391 != 0.0, -(t230 * t393), 0.0), 0.0)) / sa2
-    t398 = np.where(t376 != 0.0, np.where(t391 != 0.0, t232 * t393, 0.0), 0.0) - t233
-    t399 = np.where(t1 != 0.0, t395 * t396, 0.0) + np.where(sa2 != 0.0, t397 * t398, 0.0)
-    t400 = np.where(sa2 != 0.0, t396 * t397, 0.0) - np.where(t1 != 0.0, t395 * t398, 0.0)
-    t401 = np.sqrt((t399 * t399 + t400 * t400))
-    t402 = t399 / t401
-    t403 = t400 / t401
-    t404 = d2 + (np.where(t401 != 0.0, t396 * t402, 0.0) - np.where(t401 != 0.0, t398 * t403, 0.0))
-    t405 = t398 * t402 + t396 * t403
-    t406 = r2 + (t242 + np.where(t376 != 0.0, np.where(t391 != 0.0, sa3 * (d4 * t393), 0.0), 0.0))
-    t407 = np.where(t401 != 0.0, ca2 * t405, 0.0) - sa2 * t406
-    t408 = np.arctan2((y * t404 - x * t407), x * t404 + y * t407)
-    t409 = np.where(t376 != 0.0, np.where(t391 != 0.0, t393, 0.0), 0.0)
-    t410 = np.where(t391 != 0.0, t392, 0.0)
-    t411 = np.sqrt(t2)
-    t412 = np.sqrt((t240 * t240 + t244 * t244)) - t411
-    t413 = np.where(t237 != 0.0, sa2 * t241, 0.0) + ca2 * t243 - z
-    t414 = np.sqrt((t293 * t293 + t296 * t296)) - t411
-    t415 = np.where(t290 != 0.0, sa2 * t294, 0.0) + ca2 * t295 - z
-    t416 = np.sqrt((t352 * t352 + t355 * t355)) - t411
-    t417 = np.where(t349 != 0.0, sa2 * t353, 0.0) + ca2 * t354 - z
-    t418 = np.sqrt((t404 * t404 + t407 * t407)) - t411
-    t419 = np.where(t401 != 0.0, sa2 * t405, 0.0) + ca2 * t406 - z
-    t420 = np.where(t223 != 0.0, t44 * t224, 0.0) + t37 * (t246 + t247) * (t247 - t246)
-    t421 = np.where(t207 != 0.0, np.where(t223 != 0.0, np.where(t31 != 0.0, np.where(t223 != 0.0, t226 * (t33 * (t224 + t224)), 0.0), 0.0), 0.0), 0.0)
-    t422 = np.where(t31 != 0.0, t420, 0.0) - np.where(t207 != 0.0, np.where(t223 != 0.0, np.where(t31 != 0.0, t32 * t226, 0.0), 0.0), 0.0) - t421
-    t423 = np.where(t280 != 0.0, t44 * t281, 0.0) + t37 * (t298 + t299) * (t299 - t298)
-    t424 = np.where(t265 != 0.0, np.where(t280 != 0.0, np.where(t31 != 0.0, np.where(t280 != 0.0, t282 * (t33 * (t281 + t281)), 0.0), 0.0), 0.0), 0.0)
-    t425 = np.where(t31 != 0.0, t423, 0.0) - np.where(t265 != 0.0, np.where(t280 != 0.0, np.where(t31 != 0.0, t32 * t282, 0.0), 0.0), 0.0) - t424
-    t426 = np.where(t339 != 0.0, t44 * t340, 0.0) + t37 * (t357 + t358) * (t358 - t357)
-    t427 = np.where(t324 != 0.0, np.where(t339 != 0.0, np.where(t31 != 0.0, np.where(t339 != 0.0, t341 * (t33 * (t340 + t340)), 0.0), 0.0), 0.0), 0.0)
-    t428 = np.where(t31 != 0.0, t426, 0.0) - np.where(t324 != 0.0, np.where(t339 != 0.0, np.where(t31 != 0.0, t32 * t341, 0.0), 0.0), 0.0) - t427
-    t429 = np.where(t391 != 0.0, t44 * t392, 0.0) + t37 * (t409 + t410) * (t410 - t409)
-    t430 = np.where(t376 != 0.0, np.where(t391 != 0.0, np.where(t31 != 0.0, np.where(t391 != 0.0, t393 * (t33 * (t392 + t392)), 0.0), 0.0), 0.0), 0.0)
-    t431 = np.where(t31 != 0.0, t429, 0.0) - np.where(t376 != 0.0, np.where(t391 != 0.0, np.where(t31 != 0.0, t32 * t393, 0.0), 0.0), 0.0) - t430
-    t432 = t48 * t48
-    t433 = t38 + t33 * t33
-    t434 = t32 * t32
-    t435 = t44 * t44
-    t436 = t434 + t435
-    t437 = np.where(t31 != 0.0, np.where(t31 != 0.0, t432 + 3 * t433, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 3 * t436, 0.0), 0.0)
-    t438 = t437 * t437
-    t439 = t33 * (np.where(t31 != 0.0, np.where(t31 != 0.0, t434, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, t435, 0.0), 0.0)) + np.where(t31 != 0.0, np.where(t31 != 0.0, t44 * (t37 * t200), 0.0), 0.0)
-    t440 = np.where(t31 != 0.0, np.where(t31 != 0.0, t432 + t432, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 18 * t433, 0.0), 0.0)
-    t441 = 27 * t439 + t48 * (t440 - np.where(t31 != 0.0, np.where(t31 != 0.0, 9 * t436, 0.0), 0.0))
-    t442 = 4 * t437 * t438 - np.where(t31 != 0.0, np.where(t31 != 0.0, t441 * t441, 0.0), 0.0)
-    t443 = 0.5 + 0.5 * np.copysign(1, t442)
-    t444 = np.maximum(d2, -d2)
-    t445 = np.maximum(ca2, -ca2)
-    t446 = t445 + t445
-    t447 = t444 * t446
-    t448 = np.maximum(r2, -r2)
-    t449 = np.maximum(ca3, -ca3)
-    t450 = np.maximum(r3, -r3)
-    t451 = (t444 + t444) * np.maximum(z, -z) + t447 * t448 + t444 * (t446 * t449) * t450
-    t452 = np.maximum(d4, -d4)
-    t453 = np.maximum(sa3, -sa3)
-    t454 = t451 + t447 * t452 * t453
-    t455 = np.maximum(sa2, -sa2)
-    t456 = t4 * t455 + t5 * t455 + t6 * t455 + t7 * t455
-    t457 = t456 + t8 * t455 + t3 * t455 + t455 * np.maximum(t2, -t2)
-    t458 = np.maximum(d3, -d3)
-    t459 = t457 + t455 * (t452 * (t458 + t458)) + t455 * (t450 * (t448 * (t449 + t449)))
-    t460 = t459 + t453 * (t455 * (t448 * (t452 + t452)))
-    t461 = t449 * t452 + t450 * t453
-    t462 = t452 + t458
-    t463 = t454 * t454 + t460 * t460 + t22 * (t461 * t461 + t462 * t462)
-    t464 = 3.552713678800501e-15 / t31 * t463
-    t465 = -0.3333333333333333 * t437
-    t466 = np.where(t31 != 0.0, np.where(t31 != 0.0, t433 + t436, 0.0), 0.0) - np.where(t31 != 0.0, np.where(t31 != 0.0, 0.5555555555555556 * t432, 0.0), 0.0)
-    t467 = 1.3333333333333333 * t48
-    t468 = t465 * t465 + 3 * (t466 * t466) + np.where(t31 != 0.0, np.where(t31 != 0.0, t465 * (t467 * t467), 0.0), 0.0)
-    t469 = t468 + np.where(t31 != 0.0, np.where(t31 != 0.0, t467 * (0.1111111111111111 * t441), 0.0), 0.0) - t466 * (-1.3333333333333333 * t437)
-    t470 = 0.016666666666666666 / np.where(t31 != 0.0, t464, 0.0) * np.minimum(t469, 3 * (3 * t466 - -0.6666666666666666 * t437))
-    t471 = np.where(t31 != 0.0, t441, 0.0)
-    t472 = 72 * t438 + 120 * np.maximum(t471, -t471) + np.where(t31 != 0.0, 5000 * t464, 0.0)
-    t473 = np.maximum(t442, -t442) / np.where(t31 != 0.0, t464 * t472, 0.0)
+    t238 = np.where(t237 != 0.0, 1, 0.0)
+    t239 = t238 / (t237 + (1 - t238))
+    t240 = t235 * t239
+    t241 = t20 * sa3
+    t242 = t236 * t239
+    t243 = t3 * (t11 + t12 * t240 + t241 * t242)
+    t244 = d3 + d4 * t240
+    t245 = np.where(sa2 != 0.0, 1, 0.0)
+    t246 = t245 / (sa2 + (1 - t245))
+    t247 = sa3 * (d4 * ca2)
+    t248 = t246 * (t17 - t242 * t247)
+    t249 = d4 * ca3
+    t250 = r3 * sa3
+    t251 = t242 * t249 - t250
+    t252 = t243 * t244 + t248 * t251
+    t253 = t244 * t248 - t243 * t251
+    t254 = np.sqrt((t252 * t252 + t253 * t253))
+    t255 = np.where(t254 != 0.0, 1, 0.0)
+    t256 = t255 / (t254 + (1 - t255))
+    t257 = t252 * t256
+    t258 = t253 * t256
+    t259 = d2 + (t244 * t257 - t251 * t258)
+    t260 = t251 * t257 + t244 * t258
+    t261 = r3 * ca3
+    t262 = r2 + (t261 + sa3 * (d4 * t242))
+    t263 = ca2 * t260 - sa2 * t262
+    t264 = np.arctan2((y * t259 - x * t263), x * t259 + y * t263)
+    t265 = -(t54 * (t200 + t201))
+    t266 = t54 * (t203 - t204)
+    t267 = np.where(t53 != 0.0, t265, 0.0) + np.where(t56 != 0.0, t266, 0.0)
+    t268 = np.where(t53 != 0.0, t266, 0.0) + np.where(t56 != 0.0, t265, 0.0)
+    t269 = t46 * t267 - t48 * t268
+    t270 = t48 * t267 + t46 * t268
+    t271 = t269 + t270
+    t272 = t269 - t270
+    t273 = t269 + t269
+    t274 = t47 * t269 + t40 * t271 * t272 - t36 * t270 - t270 * (t37 * t273)
+    t275 = t274 * t274
+    t276 = t51 + t215 * t269 + t216 * t270 + t272 * (t37 * t271)
+    t277 = t274 / (2e-18 + (t275 + t275)) * (t276 + t270 * (t40 * t273))
+    t278 = np.maximum((-0.001), np.minimum(0.001, -t277))
+    t279 = t269 - t270 * t278
+    t280 = t270 + t269 * t278
+    t281 = np.sqrt((t279 * t279 + t280 * t280))
+    t282 = np.where(t281 != 0.0, 1, 0.0)
+    t283 = t282 / (t281 + (1 - t282))
+    t284 = t279 * t283
+    t285 = t280 * t283
+    t286 = t284 + t285
+    t287 = t284 - t285
+    t288 = t284 + t284
+    t289 = t47 * t284 + t40 * t286 * t287 - t36 * t285 - t285 * (t37 * t288)
+    t290 = t289 * t289
+    t291 = t51 + t215 * t284 + t216 * t285 + t287 * (t37 * t286)
+    t292 = t289 / (2e-18 + (t290 + t290)) * (t291 + t285 * (t40 * t288))
+    t293 = np.maximum((-0.001), np.minimum(0.001, -t292))
+    t294 = t284 - t285 * t293
+    t295 = t285 + t284 * t293
+    t296 = np.sqrt((t294 * t294 + t295 * t295))
+    t297 = np.where(t296 != 0.0, 1, 0.0)
+    t298 = t297 / (t296 + (1 - t297))
+    t299 = t294 * t298
+    t300 = t295 * t298
+    t301 = t3 * (t11 + t12 * t299 + t241 * t300)
+    t302 = d3 + d4 * t299
+    t303 = t246 * (t17 - t247 * t300)
+    t304 = t249 * t300 - t250
+    t305 = t301 * t302 + t303 * t304
+    t306 = t302 * t303 - t301 * t304
+    t307 = np.sqrt((t305 * t305 + t306 * t306))
+    t308 = np.where(t307 != 0.0, 1, 0.0)
+    t309 = t308 / (t307 + (1 - t308))
+    t310 = t305 * t309
+    t311 = t306 * t309
+    t312 = d2 + (t302 * t310 - t304 * t311)
+    t313 = t304 * t310 + t302 * t311
+    t314 = r2 + (t261 + sa3 * (d4 * t300))
+    t315 = ca2 * t313 - sa2 * t314
+    t316 = np.arctan2((y * t312 - x * t315), x * t312 + y * t315)
+    t317 = t191 - t196
+    t318 = t190 * t317
+    t319 = t55 - t317 * t317
+    t320 = np.sqrt(np.maximum(0.0, t319))
+    t321 = t193 * t320
+    t322 = -(t54 * (t318 + t321))
+    t323 = t190 * t320
+    t324 = t193 * t317
+    t325 = t54 * (t323 - t324)
+    t326 = np.where(t53 != 0.0, t322, 0.0) + np.where(t56 != 0.0, t325, 0.0)
+    t327 = np.where(t53 != 0.0, t325, 0.0) + np.where(t56 != 0.0, t322, 0.0)
+    t328 = t46 * t326 - t48 * t327
+    t329 = t48 * t326 + t46 * t327
+    t330 = t328 + t329
+    t331 = t328 - t329
+    t332 = t328 + t328
+    t333 = t47 * t328 + t40 * t330 * t331 - t36 * t329 - t329 * (t37 * t332)
+    t334 = t333 * t333
+    t335 = t51 + t215 * t328 + t216 * t329 + t331 * (t37 * t330)
+    t336 = t333 / (2e-18 + (t334 + t334)) * (t335 + t329 * (t40 * t332))
+    t337 = np.maximum((-0.001), np.minimum(0.001, -t336))
+    t338 = t328 - t329 * t337
+    t339 = t329 + t328 * t337
+    t340 = np.sqrt((t338 * t338 + t339 * t339))
+    t341 = np.where(t340 != 0.0, 1, 0.0)
+    t342 = t341 / (t340 + (1 - t341))
+    t343 = t338 * t342
+    t344 = t339 * t342
+    t345 = t343 + t344
+    t346 = t343 - t344
+    t347 = t343 + t343
+    t348 = t47 * t343 + t40 * t345 * t346 - t36 * t344 - t344 * (t37 * t347)
+    t349 = t348 * t348
+    t350 = t51 + t215 * t343 + t216 * t344 + t346 * (t37 * t345)
+    t351 = t348 / (2e-18 + (t349 + t349)) * (t350 + t344 * (t40 * t347))
+    t352 = np.maximum((-0.001), np.minimum(0.001, -t351))
+    t353 = t343 - t344 * t352
+    t354 = t344 + t343 * t352
+    t355 = np.sqrt((t353 * t353 + t354 * t354))
+    t356 = np.where(t355 != 0.0, 1, 0.0)
+    t357 = t356 / (t355 + (1 - t356))
+    t358 = t353 * t357
+    t359 = t354 * t357
+    t360 = t3 * (t11 + t12 * t358 + t241 * t359)
+    t361 = d3 + d4 * t358
+    t362 = t246 * (t17 - t247 * t359)
+    t363 = t249 * t359 - t250
+    t364 = t360 * t361 + t362 * t363
+    t365 = t361 * t362 - t360 * t363
+    t366 = np.sqrt((t364 * t364 + t365 * t365))
+    t367 = np.where(t366 != 0.0, 1, 0.0)
+    t368 = t367 / (t366 + (1 - t367))
+    t369 = t364 * t368
+    t370 = t365 * t368
+    t371 = d2 + (t361 * t369 - t363 * t370)
+    t372 = t363 * t369 + t361 * t370
+    t373 = r2 + (t261 + sa3 * (d4 * t359))
+    t374 = ca2 * t372 - sa2 * t373
+    t375 = np.arctan2((y * t371 - x * t374), x * t371 + y * t374)
+    t376 = t54 * (t321 - t318)
+    t377 = -(t54 * (t323 + t324))
+    t378 = np.where(t53 != 0.0, t376, 0.0) + np.where(t56 != 0.0, t377, 0.0)
+    t379 = np.where(t53 != 0.0, t377, 0.0) + np.where(t56 != 0.0, t376, 0.0)
+    t380 = t46 * t378 - t48 * t379
+    t381 = t48 * t378 + t46 * t379
+    t382 = t380 + t381
+    t383 = t380 - t381
+    t384 = t380 + t380
+    t385 = t47 * t380 + t40 * t382 * t383 - t36 * t381 - t381 * (t37 * t384)
+    t386 = t385 * t385
+    t387 = t51 + t215 * t380 + t216 * t381 + t383 * (t37 * t382)
+    t388 = t385 / (2e-18 + (t386 + t386)) * (t387 + t381 * (t40 * t384))
+    t389 = np.maximum((-0.001), np.minimum(0.001, -t388))
+    t390 = t380 - t381 * t389
+    t391 = t381 + t380 * t389
+    t392 = np.sqrt((t390 * t390 + t391 * t391))
+    t393 = np.where(t392 != 0.0, 1, 0.0)
+    t394 = t393 / (t392 + (1 - t393))
+    t395 = t390 * t394
+    t396 = t391 * t394
+    t397 = t395 + t396
+    t398 = t395 - t396
+    t399 = t395 + t395
+    t400 = t47 * t395 + t40 * t397 * t398 - t36 * t396 - t396 * (t37 * t399)
+    t401 = t400 * t400
+    t402 = t51 + t215 * t395 + t216 * t396 + t398 * (t37 * t397)
+    t403 = t400 / (2e-18 + (t401 + t401)) * (t402 + t396 * (t40 * t399))
+    t404 = np.maximum((-0.001), np.minimum(0.001, -t403))
+    t405 = t395 - t396 * t404
+    t406 = t396 + t395 * t404
+    t407 = np.sqrt((t405 * t405 + t406 * t406))
+    t408 = np.where(t407 != 0.0, 1, 0.0)
+    t409 = t408 / (t407 + (1 - t408))
+    t410 = t405 * t409
+    t411 = t406 * t409
+    t412 = t3 * (t11 + t12 * t410 + t241 * t411)
+    t413 = d3 + d4 * t410
+    t414 = t246 * (t17 - t247 * t411)
+    t415 = t249 * t411 - t250
+    t416 = t412 * t413 + t414 * t415
+    t417 = t413 * t414 - t412 * t415
+    t418 = np.sqrt((t416 * t416 + t417 * t417))
+    t419 = np.where(t418 != 0.0, 1, 0.0)
+    t420 = t419 / (t418 + (1 - t419))
+    t421 = t416 * t420
+    t422 = t417 * t420
+    t423 = d2 + (t413 * t421 - t415 * t422)
+    t424 = t415 * t421 + t413 * t422
+    t425 = r2 + (t261 + sa3 * (d4 * t411))
+    t426 = ca2 * t424 - sa2 * t425
+    t427 = np.arctan2((y * t423 - x * t426), x * t423 + y * t426)
+    t428 = np.sqrt(t4)
+    t429 = np.sqrt((t259 * t259 + t263 * t263)) - t428
+    t430 = sa2 * t260 + ca2 * t262 - z
+    t431 = np.sqrt((t312 * t312 + t315 * t315)) - t428
+    t432 = sa2 * t313 + ca2 * t314 - z
+    t433 = np.sqrt((t371 * t371 + t374 * t374)) - t428
+    t434 = sa2 * t372 + ca2 * t373 - z
+    t435 = np.sqrt((t423 * t423 + t426 * t426)) - t428
+    t436 = sa2 * t424 + ca2 * t425 - z
+    t437 = t47 * t240 + t40 * (t240 + t242) * (t240 - t242) - t36 * t242
+    t438 = t47 * t299 + t40 * (t299 + t300) * (t299 - t300) - t36 * t300
+    t439 = t47 * t358 + t40 * (t358 + t359) * (t358 - t359) - t36 * t359
+    t440 = t47 * t410 + t40 * (t410 + t411) * (t410 - t411) - t36 * t411
+    t441 = t51 * t51
+    t442 = t41 + t37 * t37
+    t443 = t36 * t36
+    t444 = t47 * t47
+    t445 = t443 + t444
+    t446 = t441 + 3 * t442 - 3 * t445
+    t447 = t446 * t446
+    t448 = 27 * (t37 * (t443 - t444) + t47 * (t40 * t215)) + t51 * (t441 + t441 - 18 * t442 - 9 * t445)
+    t449 = 4 * t446 * t447 - t448 * t448
+    t450 = 0.5 + 0.5 * np.copysign(1, t449)
+    t451 = np.maximum(d2, -d2)
+    t452 = np.maximum(ca2, -ca2)
+    t453 = t452 + t452
+    t454 = t451 * t453
+    t455 = np.maximum(r2, -r2)
+    t456 = np.maximum(ca3, -ca3)
+    t457 = np.maximum(r3, -r3)
+    t458 = (t451 + t451) * np.maximum(z, -z) + t454 * t455 + t451 * (t453 * t456) * t457
+    t459 = np.maximum(d4, -d4)
+    t460 = np.maximum(sa3, -sa3)
+    t461 = t458 + t454 * t459 * t460
+    t462 = np.maximum(sa2, -sa2)
+    t463 = t6 * t462 + t7 * t462 + t8 * t462 + t9 * t462
+    t464 = t463 + t10 * t462 + t5 * t462 + t462 * np.maximum(t4, -t4)
+    t465 = np.maximum(d3, -d3)
+    t466 = t464 + t462 * (t459 * (t465 + t465)) + t462 * (t457 * (t455 * (t456 + t456)))
+    t467 = t466 + t460 * (t462 * (t455 * (t459 + t459)))
+    t468 = t456 * t459 + t457 * t460
+    t469 = t459 + t465
+    t470 = t461 * t461 + t467 * t467 + t15 * (t468 * t468 + t469 * t469)
+    t471 = 3.552713678800501e-15 * t35 * t470
+    t472 = -0.3333333333333333 * t446
+    t473 = t442 + t445 - 0.5555555555555556 * t441
+    t474 = 1.3333333333333333 * t51
+    t475 = t472 * t472 + 3 * (t473 * t473) + t472 * (t474 * t474)
+    t476 = np.minimum((t475 + t474 * (0.1111111111111111 * t448) - t473 * (-1.3333333333333333 * t446)), 3 * (3 * t473 - -0.6666666666666666 * t446))
+    t477 = 0.016666666666666666 / t471 * t476
+    t478 = 72 * t447 + 120 * np.maximum(t448, -t448) + 5000 * t471
+    t479 = np.maximum(t449, -t449) / (t471 * t478)
 
     # results
     angles = np.empty((*_leading, 12), _real)
@@ -1326,35 +1332,35 @@ def postures(parameters, point):
     slope = np.empty((*_leading, 4), _real)
     number = np.empty((*_leading, 1), _real)
     margin = np.empty((*_leading, 1), _real)
-    angles[..., 0] = t245
-    angles[..., 1] = np.arctan2(np.where(t237 != 0.0, t239, 0.0), np.where(t237 != 0.0, t238, 0.0))
-    angles[..., 2] = np.arctan2(t246, t247)
-    angles[..., 3] = t297
-    angles[..., 4] = np.arctan2(np.where(t290 != 0.0, t292, 0.0), np.where(t290 != 0.0, t291, 0.0))
-    angles[..., 5] = np.arctan2(t298, t299)
-    angles[..., 6] = t356
-    angles[..., 7] = np.arctan2(np.where(t349 != 0.0, t351, 0.0), np.where(t349 != 0.0, t350, 0.0))
-    angles[..., 8] = np.arctan2(t357, t358)
-    angles[..., 9] = t408
-    angles[..., 10] = np.arctan2(np.where(t401 != 0.0, t403, 0.0), np.where(t401 != 0.0, t402, 0.0))
-    angles[..., 11] = np.arctan2(t409, t410)
-    room[..., 0] = t182
-    room[..., 1] = t302
-    closure[..., 0] = np.sqrt((t412 * t412 + t413 * t413))
-    closure[..., 1] = np.sqrt((t414 * t414 + t415 * t415))
-    closure[..., 2] = np.sqrt((t416 * t416 + t417 * t417))
-    closure[..., 3] = np.sqrt((t418 * t418 + t419 * t419))
-    slope[..., 0] = t422
-    slope[..., 1] = t425
-    slope[..., 2] = t428
-    slope[..., 3] = t431
-    number[..., 0] = 2 + t443 * np.copysign(2, t470)
-    margin[..., 0] = np.minimum(t473, t473 * (1 - t443) + np.maximum(t470, -t470))
+    angles[..., 0] = t264
+    angles[..., 1] = np.arctan2(t258, t257)
+    angles[..., 2] = np.arctan2(t242, t240)
+    angles[..., 3] = t316
+    angles[..., 4] = np.arctan2(t311, t310)
+    angles[..., 5] = np.arctan2(t300, t299)
+    angles[..., 6] = t375
+    angles[..., 7] = np.arctan2(t370, t369)
+    angles[..., 8] = np.arctan2(t359, t358)
+    angles[..., 9] = t427
+    angles[..., 10] = np.arctan2(t422, t421)
+    angles[..., 11] = np.arctan2(t411, t410)
+    room[..., 0] = t198
+    room[..., 1] = t319
+    closure[..., 0] = np.sqrt((t429 * t429 + t430 * t430))
+    closure[..., 1] = np.sqrt((t431 * t431 + t432 * t432))
+    closure[..., 2] = np.sqrt((t433 * t433 + t434 * t434))
+    closure[..., 3] = np.sqrt((t435 * t435 + t436 * t436))
+    slope[..., 0] = t437 - t242 * (t37 * (t240 + t240))
+    slope[..., 1] = t438 - t300 * (t37 * (t299 + t299))
+    slope[..., 2] = t439 - t359 * (t37 * (t358 + t358))
+    slope[..., 3] = t440 - t411 * (t37 * (t410 + t410))
+    number[..., 0] = 2 + t450 * np.copysign(2, t477)
+    margin[..., 0] = np.minimum(t479, t479 * (1 - t450) + np.maximum(t477, -t477))
     return angles.reshape(_leading + (4, 3)), room.reshape(_leading + (2,)), closure.reshape(_leading + (4,)), slope.reshape(_leading + (4,)), number.reshape(_leading), margin.reshape(_leading)
 
 
 def postures_intersecting(parameters, point):
-    """the postures of an arm with axes 1 and 2 intersecting, the distance each leaves, and W: 330 operations.
+    """the postures of an arm with axes 1 and 2 intersecting, the distance each leaves, and W: 300 operations.
 
     in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
     in   point[3] = (x, y, z)
@@ -1385,131 +1391,147 @@ def postures_intersecting(parameters, point):
     t1 = -2 * d3 * d4
     t2 = -2 * d4 * r2 * sa3
     t3 = t1 * t1 + t2 * t2
-    t4 = 1 - np.where(t3 != 0.0, 1, 0.0)
-    t5 = x * x + y * y
-    t6 = t5 + z * z - d2 * d2 - d3 * d3 - d4 * d4
-    t7 = t6 - r2 * r2 - r3 * r3 - r3 * (r2 * (ca3 + ca3))
-    t8 = t1 * t7
-    t9 = np.sqrt(np.maximum(0.0, t3 - t7 * t7))
-    t10 = t2 * t9
-    t11 = t4 - np.where(t3 != 0.0, (t8 + t10) / t3, 0.0)
-    t12 = t1 * t9
-    t13 = t2 * t7
-    t14 = (t12 - t13) / t3
-    t15 = np.sqrt((t11 * t11 + np.where(t3 != 0.0, np.where(t3 != 0.0, t14 * t14, 0.0), 0.0)))
-    t16 = t11 / t15
-    t17 = d3 + np.where(t15 != 0.0, d4 * t16, 0.0)
-    t18 = d4 * ca3
-    t19 = t14 / t15
-    t20 = sa3 * r3
-    t21 = np.where(t15 != 0.0, np.where(t3 != 0.0, t18 * t19, 0.0), 0.0) - t20
-    t22 = t17 * t17 + t21 * t21
-    t23 = z - r2 * ca2 - r3 * (ca3 * ca2)
-    t24 = sa3 * (d4 * ca2)
-    t25 = (t23 + np.where(t15 != 0.0, np.where(t3 != 0.0, -(t19 * t24), 0.0), 0.0)) / sa2
-    t26 = np.sqrt(np.maximum(0.0, t22 - np.where(sa2 != 0.0, np.where(sa2 != 0.0, t25 * t25, 0.0), 0.0)))
-    t27 = t17 * t26
-    t28 = np.where(sa2 != 0.0, t21 * t25, 0.0)
-    t29 = t27 + t28
-    t30 = np.where(sa2 != 0.0, t17 * t25, 0.0)
-    t31 = t21 * t26
-    t32 = t30 - t31
-    t33 = np.sqrt((t29 * t29 + t32 * t32))
-    t34 = t29 / t33
-    t35 = t32 / t33
-    t36 = d2 + (np.where(t33 != 0.0, t17 * t34, 0.0) - np.where(t33 != 0.0, t21 * t35, 0.0))
-    t37 = t21 * t34 + t17 * t35
-    t38 = r3 * ca3
-    t39 = r2 + (t38 + np.where(t15 != 0.0, np.where(t3 != 0.0, sa3 * (d4 * t19), 0.0), 0.0))
-    t40 = sa2 * t39
-    t41 = np.where(t33 != 0.0, ca2 * t37, 0.0) - t40
-    t42 = np.arctan2((y * t36 - x * t41), x * t36 + y * t41)
-    t43 = np.arctan2(np.where(t15 != 0.0, np.where(t3 != 0.0, t19, 0.0), 0.0), np.where(t15 != 0.0, t16, 0.0))
-    t44 = t28 - t27
-    t45 = t30 + t31
-    t46 = np.sqrt((t44 * t44 + t45 * t45))
-    t47 = t44 / t46
-    t48 = t45 / t46
-    t49 = d2 + (np.where(t46 != 0.0, t17 * t47, 0.0) - np.where(t46 != 0.0, t21 * t48, 0.0))
-    t50 = t21 * t47 + t17 * t48
-    t51 = np.where(t46 != 0.0, ca2 * t50, 0.0) - t40
-    t52 = np.arctan2((y * t49 - x * t51), x * t49 + y * t51)
-    t53 = t4 - np.where(t3 != 0.0, (t8 - t10) / t3, 0.0)
-    t54 = (t12 + t13) / t3
-    t55 = np.sqrt((t53 * t53 + np.where(t3 != 0.0, np.where(t3 != 0.0, t54 * t54, 0.0), 0.0)))
-    t56 = t53 / t55
-    t57 = d3 + np.where(t55 != 0.0, d4 * t56, 0.0)
-    t58 = t54 / t55
-    t59 = np.where(t55 != 0.0, np.where(t3 != 0.0, -(t18 * t58), 0.0), 0.0) - t20
-    t60 = t57 * t57 + t59 * t59
-    t61 = (t23 + np.where(t55 != 0.0, np.where(t3 != 0.0, t24 * t58, 0.0), 0.0)) / sa2
-    t62 = np.sqrt(np.maximum(0.0, t60 - np.where(sa2 != 0.0, np.where(sa2 != 0.0, t61 * t61, 0.0), 0.0)))
-    t63 = t57 * t62
-    t64 = np.where(sa2 != 0.0, t59 * t61, 0.0)
-    t65 = t63 + t64
-    t66 = np.where(sa2 != 0.0, t57 * t61, 0.0)
-    t67 = t59 * t62
-    t68 = t66 - t67
-    t69 = np.sqrt((t65 * t65 + t68 * t68))
-    t70 = t65 / t69
-    t71 = t68 / t69
-    t72 = d2 + (np.where(t69 != 0.0, t57 * t70, 0.0) - np.where(t69 != 0.0, t59 * t71, 0.0))
-    t73 = t59 * t70 + t57 * t71
-    t74 = r2 + (t38 + np.where(t55 != 0.0, np.where(t3 != 0.0, -(sa3 * (d4 * t58)), 0.0), 0.0))
-    t75 = sa2 * t74
-    t76 = np.where(t69 != 0.0, ca2 * t73, 0.0) - t75
-    t77 = np.arctan2((y * t72 - x * t76), x * t72 + y * t76)
-    t78 = np.arctan2(np.where(t55 != 0.0, np.where(t3 != 0.0, -t58, 0.0), 0.0), np.where(t55 != 0.0, t56, 0.0))
-    t79 = t64 - t63
-    t80 = t66 + t67
-    t81 = np.sqrt((t79 * t79 + t80 * t80))
-    t82 = t79 / t81
-    t83 = t80 / t81
-    t84 = d2 + (np.where(t81 != 0.0, t57 * t82, 0.0) - np.where(t81 != 0.0, t59 * t83, 0.0))
-    t85 = t59 * t82 + t57 * t83
-    t86 = np.where(t81 != 0.0, ca2 * t85, 0.0) - t75
-    t87 = np.arctan2((y * t84 - x * t86), x * t84 + y * t86)
-    t88 = np.sqrt(t5)
-    t89 = np.sqrt((t36 * t36 + t41 * t41)) - t88
-    t90 = ca2 * t39
-    t91 = np.where(t33 != 0.0, sa2 * t37, 0.0) + t90 - z
-    t92 = np.sqrt((t49 * t49 + t51 * t51)) - t88
-    t93 = t90 + np.where(t46 != 0.0, sa2 * t50, 0.0) - z
-    t94 = np.sqrt((t72 * t72 + t76 * t76)) - t88
-    t95 = ca2 * t74
-    t96 = np.where(t69 != 0.0, sa2 * t73, 0.0) + t95 - z
-    t97 = np.sqrt((t84 * t84 + t86 * t86)) - t88
-    t98 = t95 + np.where(t81 != 0.0, sa2 * t85, 0.0) - z
+    t4 = np.where(t3 != 0.0, 1, 0.0)
+    t5 = 1 - t4
+    t6 = t4 / (t3 + t5)
+    t7 = x * x + y * y
+    t8 = t7 + z * z - d2 * d2 - d3 * d3 - d4 * d4
+    t9 = t8 - r2 * r2 - r3 * r3 - r3 * (r2 * (ca3 + ca3))
+    t10 = t1 * t9
+    t11 = np.sqrt(np.maximum(0.0, t3 - t9 * t9))
+    t12 = t2 * t11
+    t13 = t5 - t6 * (t10 + t12)
+    t14 = t1 * t11
+    t15 = t2 * t9
+    t16 = t6 * (t14 - t15)
+    t17 = np.sqrt((t13 * t13 + t16 * t16))
+    t18 = np.where(t17 != 0.0, 1, 0.0)
+    t19 = t18 / (t17 + (1 - t18))
+    t20 = t13 * t19
+    t21 = d3 + d4 * t20
+    t22 = d4 * ca3
+    t23 = t16 * t19
+    t24 = sa3 * r3
+    t25 = t22 * t23 - t24
+    t26 = t21 * t21 + t25 * t25
+    t27 = np.where(sa2 != 0.0, 1, 0.0)
+    t28 = t27 / (sa2 + (1 - t27))
+    t29 = z - r2 * ca2 - r3 * (ca3 * ca2)
+    t30 = sa3 * (d4 * ca2)
+    t31 = t28 * (t29 - t23 * t30)
+    t32 = np.sqrt(np.maximum(0.0, t26 - t31 * t31))
+    t33 = t21 * t32
+    t34 = t25 * t31
+    t35 = t33 + t34
+    t36 = t21 * t31
+    t37 = t25 * t32
+    t38 = t36 - t37
+    t39 = np.sqrt((t35 * t35 + t38 * t38))
+    t40 = np.where(t39 != 0.0, 1, 0.0)
+    t41 = t40 / (t39 + (1 - t40))
+    t42 = t35 * t41
+    t43 = t38 * t41
+    t44 = d2 + (t21 * t42 - t25 * t43)
+    t45 = t25 * t42 + t21 * t43
+    t46 = r3 * ca3
+    t47 = r2 + (t46 + sa3 * (d4 * t23))
+    t48 = sa2 * t47
+    t49 = ca2 * t45 - t48
+    t50 = np.arctan2((y * t44 - x * t49), x * t44 + y * t49)
+    t51 = np.arctan2(t23, t20)
+    t52 = t34 - t33
+    t53 = t36 + t37
+    t54 = np.sqrt((t52 * t52 + t53 * t53))
+    t55 = np.where(t54 != 0.0, 1, 0.0)
+    t56 = t55 / (t54 + (1 - t55))
+    t57 = t52 * t56
+    t58 = t53 * t56
+    t59 = d2 + (t21 * t57 - t25 * t58)
+    t60 = t25 * t57 + t21 * t58
+    t61 = ca2 * t60 - t48
+    t62 = np.arctan2((y * t59 - x * t61), x * t59 + y * t61)
+    t63 = t5 - t6 * (t10 - t12)
+    t64 = t6 * (t14 + t15)
+    t65 = np.sqrt((t63 * t63 + t64 * t64))
+    t66 = np.where(t65 != 0.0, 1, 0.0)
+    t67 = t66 / (t65 + (1 - t66))
+    t68 = t63 * t67
+    t69 = d3 + d4 * t68
+    t70 = t64 * t67
+    t71 = t24 + t22 * t70
+    t72 = t69 * t69 + t71 * t71
+    t73 = t28 * (t29 + t30 * t70)
+    t74 = np.sqrt(np.maximum(0.0, t72 - t73 * t73))
+    t75 = t69 * t74
+    t76 = t71 * t73
+    t77 = t75 - t76
+    t78 = t69 * t73
+    t79 = t71 * t74
+    t80 = t78 + t79
+    t81 = np.sqrt((t77 * t77 + t80 * t80))
+    t82 = np.where(t81 != 0.0, 1, 0.0)
+    t83 = t82 / (t81 + (1 - t82))
+    t84 = t77 * t83
+    t85 = t80 * t83
+    t86 = d2 + (t69 * t84 + t71 * t85)
+    t87 = t69 * t85 - t71 * t84
+    t88 = r2 + (t46 - sa3 * (d4 * t70))
+    t89 = sa2 * t88
+    t90 = ca2 * t87 - t89
+    t91 = np.arctan2((y * t86 - x * t90), x * t86 + y * t90)
+    t92 = np.arctan2((-t70), t68)
+    t93 = t75 + t76
+    t94 = t78 - t79
+    t95 = np.sqrt((t93 * t93 + t94 * t94))
+    t96 = np.where(t95 != 0.0, 1, 0.0)
+    t97 = t96 / (t95 + (1 - t96))
+    t98 = t94 * t97
+    t99 = t93 * t97
+    t100 = d2 + (t71 * t98 - t69 * t99)
+    t101 = t71 * t99 + t69 * t98
+    t102 = ca2 * t101 - t89
+    t103 = np.arctan2((y * t100 - x * t102), x * t100 + y * t102)
+    t104 = np.sqrt(t7)
+    t105 = np.sqrt((t44 * t44 + t49 * t49)) - t104
+    t106 = ca2 * t47
+    t107 = sa2 * t45 + t106 - z
+    t108 = np.sqrt((t59 * t59 + t61 * t61)) - t104
+    t109 = t106 + sa2 * t60 - z
+    t110 = np.sqrt((t86 * t86 + t90 * t90)) - t104
+    t111 = ca2 * t88
+    t112 = sa2 * t87 + t111 - z
+    t113 = np.sqrt((t100 * t100 + t102 * t102)) - t104
+    t114 = t111 + sa2 * t101 - z
 
     # results
     angles = np.empty((*_leading, 12), _real)
     closure = np.empty((*_leading, 4), _real)
     width = np.empty((*_leading, 4), _real)
-    angles[..., 0] = t42
-    angles[..., 1] = np.arctan2(np.where(t33 != 0.0, t35, 0.0), np.where(t33 != 0.0, t34, 0.0))
-    angles[..., 2] = t43
-    angles[..., 3] = t52
-    angles[..., 4] = np.arctan2(np.where(t46 != 0.0, t48, 0.0), np.where(t46 != 0.0, t47, 0.0))
-    angles[..., 5] = t43
-    angles[..., 6] = t77
-    angles[..., 7] = np.arctan2(np.where(t69 != 0.0, t71, 0.0), np.where(t69 != 0.0, t70, 0.0))
-    angles[..., 8] = t78
-    angles[..., 9] = t87
-    angles[..., 10] = np.arctan2(np.where(t81 != 0.0, t83, 0.0), np.where(t81 != 0.0, t82, 0.0))
-    angles[..., 11] = t78
-    closure[..., 0] = np.sqrt((t89 * t89 + t91 * t91))
-    closure[..., 1] = np.sqrt((t92 * t92 + t93 * t93))
-    closure[..., 2] = np.sqrt((t94 * t94 + t96 * t96))
-    closure[..., 3] = np.sqrt((t97 * t97 + t98 * t98))
-    width[..., 0] = t22
-    width[..., 1] = t22
-    width[..., 2] = t60
-    width[..., 3] = t60
+    angles[..., 0] = t50
+    angles[..., 1] = np.arctan2(t43, t42)
+    angles[..., 2] = t51
+    angles[..., 3] = t62
+    angles[..., 4] = np.arctan2(t58, t57)
+    angles[..., 5] = t51
+    angles[..., 6] = t91
+    angles[..., 7] = np.arctan2(t85, t84)
+    angles[..., 8] = t92
+    angles[..., 9] = t103
+    angles[..., 10] = np.arctan2(t98, -t99)
+    angles[..., 11] = t92
+    closure[..., 0] = np.sqrt((t105 * t105 + t107 * t107))
+    closure[..., 1] = np.sqrt((t108 * t108 + t109 * t109))
+    closure[..., 2] = np.sqrt((t110 * t110 + t112 * t112))
+    closure[..., 3] = np.sqrt((t113 * t113 + t114 * t114))
+    width[..., 0] = t26
+    width[..., 1] = t26
+    width[..., 2] = t72
+    width[..., 3] = t72
     return angles.reshape(_leading + (4, 3)), closure.reshape(_leading + (4,)), width.reshape(_leading + (4,))
 
 
 def postures_parallel(parameters, point):
-    """the postures of an arm with axes 1 and 2 parallel, the distance each leaves, and W: 324 operations.
+    """the postures of an arm with axes 1 and 2 parallel, the distance each leaves, and W: 294 operations.
 
     in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
     in   point[3] = (x, y, z)
@@ -1523,7 +1545,6 @@ def postures_parallel(parameters, point):
     _real = np.result_type(parameters, point, np.float32)
 
     # inputs, sines and cosines
-    d2 = parameters[..., 4]
     d3 = parameters[..., 5]
     ca2 = parameters[..., 0]
     d4 = parameters[..., 6]
@@ -1532,134 +1553,148 @@ def postures_parallel(parameters, point):
     r2 = parameters[..., 7]
     ca3 = parameters[..., 2]
     r3 = parameters[..., 8]
+    d2 = parameters[..., 4]
     x = point[..., 0]
     y = point[..., 1]
     sa2 = parameters[..., 1]
 
     # terms
-    t1 = d2 + d2
-    t2 = ca2 * d4 * sa3
-    t3 = t2 * t2
-    t4 = 1 - np.where(t3 != 0.0, 1, 0.0)
-    t5 = z - ca2 * r2 - ca2 * ca3 * r3
-    t6 = -(t2 / t3 * np.sqrt(np.maximum(0.0, t3 - t5 * t5)))
-    t7 = np.where(t3 != 0.0, t6, 0.0)
-    t8 = t4 - t7
-    t9 = np.where(t3 != 0.0, -(t2 * t5 / t3), 0.0)
+    t1 = ca2 * d4 * sa3
+    t2 = t1 * t1
+    t3 = np.where(t2 != 0.0, 1, 0.0)
+    t4 = 1 - t3
+    t5 = t3 / (t2 + t4)
+    t6 = z - ca2 * r2 - ca2 * ca3 * r3
+    t7 = t1 * t5 * np.sqrt(np.maximum(0.0, t2 - t6 * t6))
+    t8 = t4 + t7
+    t9 = t5 * (t1 * t6)
     t10 = t9 * t9
     t11 = np.sqrt((t8 * t8 + t10))
-    t12 = t8 / t11
-    t13 = d3 + np.where(t11 != 0.0, d4 * t12, 0.0)
-    t14 = x * x + y * y
-    t15 = t14 + z * z - d2 * d2 - d3 * d3 - d4 * d4
-    t16 = t15 - r2 * r2 - r3 * r3 - r3 * (r2 * (ca3 + ca3))
-    t17 = d4 * (-2 * d3)
-    t18 = sa3 * (r2 * (-2 * d4))
-    t19 = t9 / t11
-    t20 = t16 + np.where(t11 != 0.0, t12 * t17, 0.0) + np.where(t11 != 0.0, -(t18 * t19), 0.0)
-    t21 = t20 / t1
-    t22 = np.where(t1 != 0.0, t13 * t21, 0.0)
-    t23 = d4 * ca3
-    t24 = sa3 * r3
-    t25 = np.where(t11 != 0.0, -(t19 * t23), 0.0) - t24
-    t26 = t13 * t13 + t25 * t25
-    t27 = np.sqrt(np.maximum(0.0, t26 - np.where(t1 != 0.0, np.where(t1 != 0.0, t21 * t21, 0.0), 0.0)))
-    t28 = t25 * t27
-    t29 = t22 + t28
-    t30 = t13 * t27
-    t31 = np.where(t1 != 0.0, t21 * t25, 0.0)
-    t32 = t30 - t31
-    t33 = np.sqrt((t29 * t29 + t32 * t32))
-    t34 = t29 / t33
-    t35 = t32 / t33
-    t36 = d2 + (np.where(t33 != 0.0, t13 * t34, 0.0) - np.where(t33 != 0.0, t25 * t35, 0.0))
-    t37 = t25 * t34 + t13 * t35
-    t38 = ca3 * r3
-    t39 = r2 + (t38 + np.where(t11 != 0.0, -(sa3 * (d4 * t19)), 0.0))
-    t40 = sa2 * t39
-    t41 = np.where(t33 != 0.0, ca2 * t37, 0.0) - t40
-    t42 = np.arctan2((y * t36 - x * t41), x * t36 + y * t41)
-    t43 = np.arctan2(np.where(t11 != 0.0, -t19, 0.0), np.where(t11 != 0.0, t12, 0.0))
-    t44 = t22 - t28
-    t45 = t30 + t31
-    t46 = np.sqrt((t44 * t44 + t45 * t45))
-    t47 = t44 / t46
-    t48 = t45 / t46
-    t49 = d2 + (np.where(t46 != 0.0, t13 * t47, 0.0) - np.where(t46 != 0.0, -(t25 * t48), 0.0))
-    t50 = t25 * t47 - t13 * t48
-    t51 = np.where(t46 != 0.0, ca2 * t50, 0.0) - t40
-    t52 = np.arctan2((y * t49 - x * t51), x * t49 + y * t51)
-    t53 = t4 + t7
-    t54 = np.sqrt((t10 + t53 * t53))
-    t55 = t53 / t54
-    t56 = d3 + np.where(t54 != 0.0, d4 * t55, 0.0)
-    t57 = t9 / t54
-    t58 = t16 + np.where(t54 != 0.0, t17 * t55, 0.0) + np.where(t54 != 0.0, -(t18 * t57), 0.0)
-    t59 = t58 / t1
-    t60 = np.where(t1 != 0.0, t56 * t59, 0.0)
-    t61 = np.where(t54 != 0.0, -(t23 * t57), 0.0) - t24
-    t62 = t56 * t56 + t61 * t61
-    t63 = np.sqrt(np.maximum(0.0, t62 - np.where(t1 != 0.0, np.where(t1 != 0.0, t59 * t59, 0.0), 0.0)))
-    t64 = t61 * t63
-    t65 = t60 + t64
-    t66 = t56 * t63
-    t67 = np.where(t1 != 0.0, t59 * t61, 0.0)
-    t68 = t66 - t67
-    t69 = np.sqrt((t65 * t65 + t68 * t68))
-    t70 = t65 / t69
-    t71 = t68 / t69
-    t72 = d2 + (np.where(t69 != 0.0, t56 * t70, 0.0) - np.where(t69 != 0.0, t61 * t71, 0.0))
-    t73 = t61 * t70 + t56 * t71
-    t74 = r2 + (t38 + np.where(t54 != 0.0, -(sa3 * (d4 * t57)), 0.0))
-    t75 = sa2 * t74
-    t76 = np.where(t69 != 0.0, ca2 * t73, 0.0) - t75
-    t77 = np.arctan2((y * t72 - x * t76), x * t72 + y * t76)
-    t78 = np.arctan2(np.where(t54 != 0.0, -t57, 0.0), np.where(t54 != 0.0, t55, 0.0))
-    t79 = t60 - t64
-    t80 = t66 + t67
-    t81 = np.sqrt((t79 * t79 + t80 * t80))
-    t82 = t79 / t81
-    t83 = t80 / t81
-    t84 = d2 + (np.where(t81 != 0.0, t56 * t82, 0.0) - np.where(t81 != 0.0, -(t61 * t83), 0.0))
-    t85 = t61 * t82 - t56 * t83
-    t86 = np.where(t81 != 0.0, ca2 * t85, 0.0) - t75
-    t87 = np.arctan2((y * t84 - x * t86), x * t84 + y * t86)
-    t88 = np.sqrt(t14)
-    t89 = np.sqrt((t36 * t36 + t41 * t41)) - t88
-    t90 = ca2 * t39
-    t91 = np.where(t33 != 0.0, t37 * sa2, 0.0) + t90 - z
-    t92 = np.sqrt((t49 * t49 + t51 * t51)) - t88
-    t93 = t90 + np.where(t46 != 0.0, sa2 * t50, 0.0) - z
-    t94 = np.sqrt((t72 * t72 + t76 * t76)) - t88
-    t95 = ca2 * t74
-    t96 = np.where(t69 != 0.0, sa2 * t73, 0.0) + t95 - z
-    t97 = np.sqrt((t84 * t84 + t86 * t86)) - t88
-    t98 = t95 + np.where(t81 != 0.0, sa2 * t85, 0.0) - z
+    t12 = np.where(t11 != 0.0, 1, 0.0)
+    t13 = t12 / (t11 + (1 - t12))
+    t14 = t8 * t13
+    t15 = d3 + d4 * t14
+    t16 = d2 + d2
+    t17 = np.where(t16 != 0.0, 1, 0.0)
+    t18 = t17 / (t16 + (1 - t17))
+    t19 = x * x + y * y
+    t20 = t19 + z * z - d2 * d2 - d3 * d3 - d4 * d4
+    t21 = t20 - r2 * r2 - r3 * r3 - r3 * (r2 * (ca3 + ca3))
+    t22 = d4 * (-2 * d3)
+    t23 = sa3 * (r2 * (-2 * d4))
+    t24 = t9 * t13
+    t25 = t18 * (t21 + t14 * t22 + t23 * t24)
+    t26 = t15 * t25
+    t27 = d4 * ca3
+    t28 = sa3 * r3
+    t29 = t24 * t27 - t28
+    t30 = t15 * t15 + t29 * t29
+    t31 = np.sqrt(np.maximum(0.0, t30 - t25 * t25))
+    t32 = t29 * t31
+    t33 = t26 + t32
+    t34 = t15 * t31
+    t35 = t25 * t29
+    t36 = t34 - t35
+    t37 = np.sqrt((t33 * t33 + t36 * t36))
+    t38 = np.where(t37 != 0.0, 1, 0.0)
+    t39 = t38 / (t37 + (1 - t38))
+    t40 = t33 * t39
+    t41 = t36 * t39
+    t42 = d2 + (t15 * t40 - t29 * t41)
+    t43 = t29 * t40 + t15 * t41
+    t44 = ca3 * r3
+    t45 = r2 + (t44 + sa3 * (d4 * t24))
+    t46 = sa2 * t45
+    t47 = ca2 * t43 - t46
+    t48 = np.arctan2((y * t42 - x * t47), x * t42 + y * t47)
+    t49 = np.arctan2(t24, t14)
+    t50 = t26 - t32
+    t51 = t34 + t35
+    t52 = np.sqrt((t50 * t50 + t51 * t51))
+    t53 = np.where(t52 != 0.0, 1, 0.0)
+    t54 = t53 / (t52 + (1 - t53))
+    t55 = t50 * t54
+    t56 = t51 * t54
+    t57 = d2 + (t15 * t55 + t29 * t56)
+    t58 = t29 * t55 - t15 * t56
+    t59 = ca2 * t58 - t46
+    t60 = np.arctan2((y * t57 - x * t59), x * t57 + y * t59)
+    t61 = t4 - t7
+    t62 = np.sqrt((t10 + t61 * t61))
+    t63 = np.where(t62 != 0.0, 1, 0.0)
+    t64 = t63 / (t62 + (1 - t63))
+    t65 = t61 * t64
+    t66 = d3 + d4 * t65
+    t67 = t9 * t64
+    t68 = t18 * (t21 + t22 * t65 + t23 * t67)
+    t69 = t66 * t68
+    t70 = t27 * t67 - t28
+    t71 = t66 * t66 + t70 * t70
+    t72 = np.sqrt(np.maximum(0.0, t71 - t68 * t68))
+    t73 = t70 * t72
+    t74 = t69 + t73
+    t75 = t66 * t72
+    t76 = t68 * t70
+    t77 = t75 - t76
+    t78 = np.sqrt((t74 * t74 + t77 * t77))
+    t79 = np.where(t78 != 0.0, 1, 0.0)
+    t80 = t79 / (t78 + (1 - t79))
+    t81 = t74 * t80
+    t82 = t77 * t80
+    t83 = d2 + (t66 * t81 - t70 * t82)
+    t84 = t70 * t81 + t66 * t82
+    t85 = r2 + (t44 + sa3 * (d4 * t67))
+    t86 = sa2 * t85
+    t87 = ca2 * t84 - t86
+    t88 = np.arctan2((y * t83 - x * t87), x * t83 + y * t87)
+    t89 = np.arctan2(t67, t65)
+    t90 = t69 - t73
+    t91 = t75 + t76
+    t92 = np.sqrt((t90 * t90 + t91 * t91))
+    t93 = np.where(t92 != 0.0, 1, 0.0)
+    t94 = t93 / (t92 + (1 - t93))
+    t95 = t90 * t94
+    t96 = t91 * t94
+    t97 = d2 + (t66 * t95 + t70 * t96)
+    t98 = t70 * t95 - t66 * t96
+    t99 = ca2 * t98 - t86
+    t100 = np.arctan2((y * t97 - x * t99), x * t97 + y * t99)
+    t101 = np.sqrt(t19)
+    t102 = np.sqrt((t42 * t42 + t47 * t47)) - t101
+    t103 = ca2 * t45
+    t104 = t43 * sa2 + t103 - z
+    t105 = np.sqrt((t57 * t57 + t59 * t59)) - t101
+    t106 = t103 + sa2 * t58 - z
+    t107 = np.sqrt((t83 * t83 + t87 * t87)) - t101
+    t108 = ca2 * t85
+    t109 = sa2 * t84 + t108 - z
+    t110 = np.sqrt((t97 * t97 + t99 * t99)) - t101
+    t111 = t108 + sa2 * t98 - z
 
     # results
     angles = np.empty((*_leading, 12), _real)
     closure = np.empty((*_leading, 4), _real)
     width = np.empty((*_leading, 4), _real)
-    angles[..., 0] = t42
-    angles[..., 1] = np.arctan2(np.where(t33 != 0.0, t35, 0.0), np.where(t33 != 0.0, t34, 0.0))
-    angles[..., 2] = t43
-    angles[..., 3] = t52
-    angles[..., 4] = np.arctan2(np.where(t46 != 0.0, -t48, 0.0), np.where(t46 != 0.0, t47, 0.0))
-    angles[..., 5] = t43
-    angles[..., 6] = t77
-    angles[..., 7] = np.arctan2(np.where(t69 != 0.0, t71, 0.0), np.where(t69 != 0.0, t70, 0.0))
-    angles[..., 8] = t78
-    angles[..., 9] = t87
-    angles[..., 10] = np.arctan2(np.where(t81 != 0.0, -t83, 0.0), np.where(t81 != 0.0, t82, 0.0))
-    angles[..., 11] = t78
-    closure[..., 0] = np.sqrt((t89 * t89 + t91 * t91))
-    closure[..., 1] = np.sqrt((t92 * t92 + t93 * t93))
-    closure[..., 2] = np.sqrt((t94 * t94 + t96 * t96))
-    closure[..., 3] = np.sqrt((t97 * t97 + t98 * t98))
-    width[..., 0] = t26
-    width[..., 1] = t26
-    width[..., 2] = t62
-    width[..., 3] = t62
+    angles[..., 0] = t48
+    angles[..., 1] = np.arctan2(t41, t40)
+    angles[..., 2] = t49
+    angles[..., 3] = t60
+    angles[..., 4] = np.arctan2((-t56), t55)
+    angles[..., 5] = t49
+    angles[..., 6] = t88
+    angles[..., 7] = np.arctan2(t82, t81)
+    angles[..., 8] = t89
+    angles[..., 9] = t100
+    angles[..., 10] = np.arctan2((-t96), t95)
+    angles[..., 11] = t89
+    closure[..., 0] = np.sqrt((t102 * t102 + t104 * t104))
+    closure[..., 1] = np.sqrt((t105 * t105 + t106 * t106))
+    closure[..., 2] = np.sqrt((t107 * t107 + t109 * t109))
+    closure[..., 3] = np.sqrt((t110 * t110 + t111 * t111))
+    width[..., 0] = t30
+    width[..., 1] = t30
+    width[..., 2] = t71
+    width[..., 3] = t71
     return angles.reshape(_leading + (4, 3)), closure.reshape(_leading + (4,)), width.reshape(_leading + (4,))
 
 

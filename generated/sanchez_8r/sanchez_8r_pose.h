@@ -1,6 +1,6 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
- * 3779 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645.
+ * 3073 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void sanchez_8r_minors_pose_batchf(ptrdiff_t count, char *const *args, const ptr
 /* projector I - J^+ J onto the null space of the pose Jacobian.
  *   in   q[8]
  *   out  null_projector[8][8]
- *   1740 operations */
+ *   1034 operations */
 void sanchez_8r_null_projector_pose(const double *q, double *null_projector);
 void sanchez_8r_null_projector_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void sanchez_8r_null_projector_posef(const float *q, float *null_projector);

@@ -1,6 +1,6 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
- * 2301 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645.
+ * 1962 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12";
+const char sanchez_8r_position_digest[] = "7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645";
 #endif
 
 #define LANES 32

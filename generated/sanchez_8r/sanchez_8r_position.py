@@ -1,7 +1,7 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
-2301 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645.
+1962 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -583,7 +583,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 841 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 502 operations.
 
     in   q[8]
     out  null_projector[8][8]
@@ -639,222 +639,211 @@ def null_projector_position(q):
     t24 = 0.015625 + t2 * t2 + t18 * t18 + t21 * t21 + t23 * t23
     t25 = c5 * t22
     t26 = np.sqrt((t24 + t25 * t25))
-    t27 = t18 / t26
-    t28 = t21 / t26
-    t29 = t23 / t26
-    t30 = t25 / t26
-    t31 = t27 * t27 + t28 * t28 + t29 * t29 + t30 * t30
-    t32 = np.where(t26 != 0.0, t2 / t26, 0.0)
-    t33 = -0.125 / t26
-    t34 = np.where(t26 != 0.0, np.where(t26 != 0.0, t31, 0.0), 0.0) + t32 * t32 + np.where(t26 != 0.0, np.where(t26 != 0.0, t33 * t33, 0.0), 0.0)
-    t35 = np.sqrt(t34)
-    t36 = t27 / t35
-    t37 = -0.2 * c7
-    t38 = t37 - 0.2 * t7
-    t39 = c5 * t7
-    t40 = s4 * t39 - c4 * t8
-    t41 = c4 * t39 + s4 * t8
-    t42 = s5 * t7
-    t43 = c3 * t41 - s3 * t42
-    t44 = t38 - 0.2 * t40 - 0.25 * t43
-    t45 = s2 * t43 - c2 * t40
-    t46 = t17 * t44 - t6 * t45
-    t47 = t28 / t35
-    t48 = c3 * t42 + s3 * t41
-    t49 = t6 * t48 - t20 * t44
-    t50 = t29 / t35
-    t51 = t5 * t38
-    t52 = t30 / t35
-    t53 = c5 * t38
-    t54 = t36 * t46 - t47 * t49 + t50 * t51 + t52 * t53
-    t55 = t32 / t35
-    t56 = np.where(t26 != 0.0, np.where(t35 != 0.0, t54, 0.0), 0.0) - np.where(t35 != 0.0, -(t37 * t55), 0.0)
-    t57 = t46 - np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t56, 0.0), 0.0)
-    t58 = t49 - np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t56), 0.0), 0.0)
-    t59 = t51 - np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t56, 0.0), 0.0)
-    t60 = t53 - np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t56, 0.0), 0.0)
-    t61 = t57 * t57 + t58 * t58 + t59 * t59 + t60 * t60
-    t62 = t37 + np.where(t35 != 0.0, -(t55 * t56), 0.0)
-    t63 = t33 / t35
-    t64 = np.where(t26 != 0.0, np.where(t35 != 0.0, t56 * t63, 0.0), 0.0)
-    t65 = np.sqrt((t61 + t62 * t62 + t64 * t64))
-    t66 = t57 / t65
-    t67 = t58 / t65
-    t68 = t59 / t65
-    t69 = t60 / t65
-    t70 = t36 * t66 - t47 * t67 + t50 * t68 + t52 * t69
-    t71 = t62 / t65
-    t72 = t64 / t65
-    t73 = np.where(t26 != 0.0, np.where(t35 != 0.0, t70, 0.0), 0.0) + np.where(t35 != 0.0, t55 * t71, 0.0) + np.where(t26 != 0.0, np.where(t35 != 0.0, -(t63 * t72), 0.0), 0.0)
-    t74 = np.where(t65 != 0.0, t66, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t36 * t73, 0.0), 0.0), 0.0)
-    t75 = np.where(t65 != 0.0, t67, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, -(t47 * t73), 0.0), 0.0), 0.0)
-    t76 = np.where(t65 != 0.0, t68, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t50 * t73, 0.0), 0.0), 0.0)
-    t77 = np.where(t65 != 0.0, t69, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t52 * t73, 0.0), 0.0), 0.0)
-    t78 = t74 * t74 + t75 * t75 + t76 * t76 + t77 * t77
-    t79 = np.where(t65 != 0.0, -t71, 0.0) - np.where(t35 != 0.0, np.where(t65 != 0.0, -(t55 * t73), 0.0), 0.0)
-    t80 = np.where(t65 != 0.0, -t72, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t65 != 0.0, t63 * t73, 0.0), 0.0), 0.0)
-    t81 = np.sqrt((t78 + t79 * t79 + t80 * t80))
-    t82 = t74 / t81
-    t83 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t36, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t82, 0.0), 0.0)
-    t84 = t22 * t40 - t13 * t38
-    t85 = t14 * t44 + t16 * t45
-    t86 = t19 * t44 + t16 * t48
-    t87 = t11 * t38 - t22 * t42
-    t88 = t50 * t84 - (t36 * t85 + t47 * t86) + t52 * t87
-    t89 = t55 * t88
-    t90 = t86 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t88), 0.0), 0.0), 0.0), 0.0)
-    t91 = t75 / t81
-    t92 = t85 + np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t88, 0.0), 0.0), 0.0), 0.0)
-    t93 = t84 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t88, 0.0), 0.0), 0.0), 0.0)
-    t94 = t76 / t81
-    t95 = t87 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t88, 0.0), 0.0), 0.0), 0.0)
-    t96 = t77 / t81
-    t97 = t90 * t91 - t82 * t92 + t93 * t94 + t95 * t96
-    t98 = t79 / t81
-    t99 = t63 * t88
-    t100 = t80 / t81
-    t101 = t97 - np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t89 * t98), 0.0), 0.0), 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t99 * t100, 0.0), 0.0), 0.0), 0.0)
-    t102 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -t89, 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t101, 0.0), 0.0)
-    t103 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t99, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t101, 0.0), 0.0)
-    t104 = t92 + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t101, 0.0), 0.0)
-    t105 = t90 - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t101, 0.0), 0.0)
-    t106 = t102 * t102 + t103 * t103 + t104 * t104 + t105 * t105
-    t107 = t93 - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t101, 0.0), 0.0)
-    t108 = t95 - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t101, 0.0), 0.0)
-    t109 = t7 * t38 + t8 * t22
-    t110 = np.sqrt((t106 + t107 * t107 + t108 * t108 + t109 * t109))
-    t111 = t102 / t110
-    t112 = t107 / t110
-    t113 = t104 / t110
-    t114 = t105 / t110
-    t115 = t108 / t110
-    t116 = t50 * t112 - (t36 * t113 + t47 * t114) + t52 * t115
-    t117 = t103 / t110
-    t118 = np.where(t26 != 0.0, np.where(t35 != 0.0, t116, 0.0), 0.0) + np.where(t35 != 0.0, t55 * t111, 0.0) + np.where(t26 != 0.0, np.where(t35 != 0.0, -(t63 * t117), 0.0), 0.0)
-    t119 = np.where(t110 != 0.0, -t111, 0.0) - np.where(t35 != 0.0, np.where(t110 != 0.0, -(t55 * t118), 0.0), 0.0)
-    t120 = np.where(t110 != 0.0, -t113, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t36 * t118, 0.0), 0.0), 0.0)
-    t121 = np.where(t110 != 0.0, t114, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, -(t47 * t118), 0.0), 0.0), 0.0)
-    t122 = np.where(t110 != 0.0, t112, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t50 * t118, 0.0), 0.0), 0.0)
-    t123 = np.where(t110 != 0.0, t115, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t52 * t118, 0.0), 0.0), 0.0)
-    t124 = t82 * t120 + t91 * t121 + t94 * t122 + t96 * t123
-    t125 = np.where(t110 != 0.0, -t117, 0.0) - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t110 != 0.0, t63 * t118, 0.0), 0.0), 0.0)
-    t126 = t124 + t98 * t119 + t100 * t125
-    t127 = t119 - np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t126, 0.0), 0.0)
-    t128 = t125 - np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t126, 0.0), 0.0)
-    t129 = t120 - np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t126, 0.0), 0.0)
-    t130 = t121 - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t126, 0.0), 0.0)
-    t131 = t127 * t127 + t128 * t128 + t129 * t129 + t130 * t130
-    t132 = t122 - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t126, 0.0), 0.0)
-    t133 = t123 - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t126, 0.0), 0.0)
-    t134 = t109 / t110
-    t135 = t131 + t132 * t132 + t133 * t133 + np.where(t110 != 0.0, np.where(t110 != 0.0, t134 * t134, 0.0), 0.0)
-    t136 = np.sqrt(t135)
-    t137 = t129 / t136
-    t138 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t36 * t47), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t91, 0.0), 0.0)
-    t139 = t130 / t136
-    t140 = -(t138 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t139, 0.0), 0.0))
-    t141 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t50, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t94, 0.0), 0.0)
-    t142 = t132 / t136
-    t143 = -(t141 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t142, 0.0), 0.0))
-    t144 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t52, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t96, 0.0), 0.0)
-    t145 = t133 / t136
-    t146 = -(t144 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t145, 0.0), 0.0))
-    t147 = t134 / t136
-    t148 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t137 * t147), 0.0), 0.0), 0.0)
-    t149 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t36 * t55), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t98, 0.0), 0.0)
-    t150 = t127 / t136
-    t151 = -(t149 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t150, 0.0), 0.0))
-    t152 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t36 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t82 * t100, 0.0), 0.0)
-    t153 = t128 / t136
-    t154 = -(t152 + np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t153, 0.0), 0.0))
-    t155 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t47 * t47, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t91, 0.0), 0.0)
-    t156 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t50), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t94, 0.0), 0.0)
-    t157 = -(t156 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t142, 0.0), 0.0))
-    t158 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t52), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t96, 0.0), 0.0)
-    t159 = -(t158 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t145, 0.0), 0.0))
-    t160 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t139 * t147), 0.0), 0.0), 0.0)
-    t161 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t47 * t55, 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t98, 0.0), 0.0)
-    t162 = -(t161 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t150, 0.0), 0.0))
-    t163 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t47 * t63), 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t91 * t100, 0.0), 0.0)
-    t164 = -(t163 + np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t153, 0.0), 0.0))
-    t165 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t50, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t94, 0.0), 0.0)
-    t166 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t52, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t96, 0.0), 0.0)
-    t167 = -(t166 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t145, 0.0), 0.0))
-    t168 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t142 * t147), 0.0), 0.0), 0.0)
-    t169 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t50 * t55), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t98, 0.0), 0.0)
-    t170 = -(t169 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t150, 0.0), 0.0))
-    t171 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t50 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t94 * t100, 0.0), 0.0)
-    t172 = -(t171 + np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t153, 0.0), 0.0))
-    t173 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t52, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t96, 0.0), 0.0)
-    t174 = -np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t136 != 0.0, -(t145 * t147), 0.0), 0.0), 0.0)
-    t175 = np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, -(t52 * t55), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t98, 0.0), 0.0)
-    t176 = -(t175 + np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t150, 0.0), 0.0))
-    t177 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t52 * t63, 0.0), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t96 * t100, 0.0), 0.0)
-    t178 = -(t177 + np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t153, 0.0), 0.0))
-    t179 = -np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, -(t147 * t150), 0.0), 0.0), 0.0)
-    t180 = -np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, -(t147 * t153), 0.0), 0.0), 0.0)
-    t181 = 1 - np.where(t35 != 0.0, np.where(t35 != 0.0, t55 * t55, 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t98, 0.0), 0.0)
-    t182 = np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t35 != 0.0, -(t55 * t63), 0.0), 0.0), 0.0) + np.where(t81 != 0.0, np.where(t81 != 0.0, t98 * t100, 0.0), 0.0)
-    t183 = -(t182 + np.where(t136 != 0.0, np.where(t136 != 0.0, t150 * t153, 0.0), 0.0))
-    t184 = 1 - np.where(t26 != 0.0, np.where(t35 != 0.0, np.where(t26 != 0.0, np.where(t35 != 0.0, t63 * t63, 0.0), 0.0), 0.0), 0.0) - np.where(t81 != 0.0, np.where(t81 != 0.0, t100 * t100, 0.0), 0.0)
+    t27 = np.where(t26 != 0.0, 1, 0.0)
+    t28 = t27 / (t26 + (1 - t27))
+    t29 = t18 * t28
+    t30 = t21 * t28
+    t31 = t23 * t28
+    t32 = t25 * t28
+    t33 = t29 * t29 + t30 * t30 + t31 * t31 + t32 * t32
+    t34 = t2 * t28
+    t35 = -0.125 * t28
+    t36 = np.sqrt((t33 + t34 * t34 + t35 * t35))
+    t37 = np.where(t36 != 0.0, 1, 0.0)
+    t38 = t37 / (t36 + (1 - t37))
+    t39 = t29 * t38
+    t40 = -0.2 * c7
+    t41 = t40 - 0.2 * t7
+    t42 = c5 * t7
+    t43 = s4 * t42 - c4 * t8
+    t44 = c4 * t42 + s4 * t8
+    t45 = s5 * t7
+    t46 = c3 * t44 - s3 * t45
+    t47 = t41 - 0.2 * t43 - 0.25 * t46
+    t48 = s2 * t46 - c2 * t43
+    t49 = t17 * t47 - t6 * t48
+    t50 = t30 * t38
+    t51 = c3 * t45 + s3 * t44
+    t52 = t6 * t51 - t20 * t47
+    t53 = t31 * t38
+    t54 = t5 * t41
+    t55 = t32 * t38
+    t56 = c5 * t41
+    t57 = t39 * t49 - t50 * t52 + t53 * t54 + t55 * t56
+    t58 = t34 * t38
+    t59 = t57 + t40 * t58
+    t60 = t49 - t39 * t59
+    t61 = t52 + t50 * t59
+    t62 = t54 - t53 * t59
+    t63 = t56 - t55 * t59
+    t64 = t60 * t60 + t61 * t61 + t62 * t62 + t63 * t63
+    t65 = t58 * t59 - t40
+    t66 = t35 * t38
+    t67 = t59 * t66
+    t68 = np.sqrt((t64 + t65 * t65 + t67 * t67))
+    t69 = np.where(t68 != 0.0, 1, 0.0)
+    t70 = t69 / (t68 + (1 - t69))
+    t71 = t60 * t70
+    t72 = t61 * t70
+    t73 = t62 * t70
+    t74 = t63 * t70
+    t75 = t39 * t71 - t50 * t72 + t53 * t73 + t55 * t74
+    t76 = t65 * t70
+    t77 = t67 * t70
+    t78 = t75 - t58 * t76 - t66 * t77
+    t79 = t71 - t39 * t78
+    t80 = t72 + t50 * t78
+    t81 = t73 - t53 * t78
+    t82 = t74 - t55 * t78
+    t83 = t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82
+    t84 = t76 + t58 * t78
+    t85 = t77 + t66 * t78
+    t86 = np.sqrt((t83 + t84 * t84 + t85 * t85))
+    t87 = np.where(t86 != 0.0, 1, 0.0)
+    t88 = t87 / (t86 + (1 - t87))
+    t89 = t79 * t88
+    t90 = t22 * t43 - t13 * t41
+    t91 = t14 * t47 + t16 * t48
+    t92 = t19 * t47 + t16 * t51
+    t93 = t11 * t41 - t22 * t45
+    t94 = t53 * t90 - (t39 * t91 + t50 * t92) + t55 * t93
+    t95 = t58 * t94
+    t96 = t92 + t50 * t94
+    t97 = t80 * t88
+    t98 = t91 + t39 * t94
+    t99 = t90 - t53 * t94
+    t100 = t81 * t88
+    t101 = t93 - t55 * t94
+    t102 = t82 * t88
+    t103 = t96 * t97 - t89 * t98 + t99 * t100 + t101 * t102
+    t104 = t84 * t88
+    t105 = t66 * t94
+    t106 = t85 * t88
+    t107 = t103 + t95 * t104 + t105 * t106
+    t108 = t95 - t104 * t107
+    t109 = t106 * t107 - t105
+    t110 = t98 + t89 * t107
+    t111 = t96 - t97 * t107
+    t112 = t108 * t108 + t109 * t109 + t110 * t110 + t111 * t111
+    t113 = t99 - t100 * t107
+    t114 = t101 - t102 * t107
+    t115 = t7 * t41 + t8 * t22
+    t116 = np.sqrt((t112 + t113 * t113 + t114 * t114 + t115 * t115))
+    t117 = np.where(t116 != 0.0, 1, 0.0)
+    t118 = t117 / (t116 + (1 - t117))
+    t119 = t108 * t118
+    t120 = t113 * t118
+    t121 = t110 * t118
+    t122 = t111 * t118
+    t123 = t114 * t118
+    t124 = t53 * t120 - (t39 * t121 + t50 * t122) + t55 * t123
+    t125 = t109 * t118
+    t126 = t124 - t58 * t119 + t66 * t125
+    t127 = t119 + t58 * t126
+    t128 = t122 + t50 * t126
+    t129 = t121 + t39 * t126
+    t130 = t120 - t53 * t126
+    t131 = t123 - t55 * t126
+    t132 = t97 * t128 - t89 * t129 + t100 * t130 + t102 * t131
+    t133 = t125 - t66 * t126
+    t134 = t132 + t104 * t127 - t106 * t133
+    t135 = t127 - t104 * t134
+    t136 = t133 + t106 * t134
+    t137 = t129 + t89 * t134
+    t138 = t128 - t97 * t134
+    t139 = t135 * t135 + t136 * t136 + t137 * t137 + t138 * t138
+    t140 = t130 - t100 * t134
+    t141 = t131 - t102 * t134
+    t142 = t115 * t118
+    t143 = np.sqrt((t139 + t140 * t140 + t141 * t141 + t142 * t142))
+    t144 = np.where(t143 != 0.0, 1, 0.0)
+    t145 = t144 / (t143 + (1 - t144))
+    t146 = t137 * t145
+    t147 = t138 * t145
+    t148 = t39 * t50 - t89 * t97 + t146 * t147
+    t149 = t140 * t145
+    t150 = t146 * t149 - (t39 * t53 + t89 * t100)
+    t151 = t141 * t145
+    t152 = t146 * t151 - (t39 * t55 + t89 * t102)
+    t153 = t142 * t145
+    t154 = -(t146 * t153)
+    t155 = t135 * t145
+    t156 = t39 * t58 - t89 * t104 + t146 * t155
+    t157 = t136 * t145
+    t158 = t89 * t106 - t39 * t66 + t146 * t157
+    t159 = t50 * t53 - t97 * t100 - t147 * t149
+    t160 = t50 * t55 - t97 * t102 - t147 * t151
+    t161 = t147 * t153
+    t162 = -(t50 * t58 + t97 * t104 + t147 * t155)
+    t163 = t50 * t66 + t97 * t106 - t147 * t157
+    t164 = -(t53 * t55 + t100 * t102 + t149 * t151)
+    t165 = t149 * t153
+    t166 = t53 * t58 - t100 * t104 - t149 * t155
+    t167 = t100 * t106 - t53 * t66 - t149 * t157
+    t168 = t151 * t153
+    t169 = t55 * t58 - t102 * t104 - t151 * t155
+    t170 = t102 * t106 - t55 * t66 - t151 * t157
+    t171 = t153 * t155
+    t172 = t153 * t157
+    t173 = t58 * t66 + t104 * t106 - t155 * t157
 
     # results
     null_projector = np.empty((*_leading, 64), _real)
-    null_projector[..., 0] = t83 - np.where(t136 != 0.0, np.where(t136 != 0.0, t137 * t137, 0.0), 0.0)
-    null_projector[..., 1] = t140
-    null_projector[..., 2] = t143
-    null_projector[..., 3] = t146
-    null_projector[..., 4] = t148
-    null_projector[..., 5] = t151
-    null_projector[..., 6] = t154
+    null_projector[..., 0] = 1 - t39 * t39 - t89 * t89 - t146 * t146
+    null_projector[..., 1] = t148
+    null_projector[..., 2] = t150
+    null_projector[..., 3] = t152
+    null_projector[..., 4] = t154
+    null_projector[..., 5] = t156
+    null_projector[..., 6] = t158
     null_projector[..., 7] = 0.0
-    null_projector[..., 8] = t140
-    null_projector[..., 9] = t155 - np.where(t136 != 0.0, np.where(t136 != 0.0, t139 * t139, 0.0), 0.0)
-    null_projector[..., 10] = t157
-    null_projector[..., 11] = t159
-    null_projector[..., 12] = t160
+    null_projector[..., 8] = t148
+    null_projector[..., 9] = 1 - t50 * t50 - t97 * t97 - t147 * t147
+    null_projector[..., 10] = t159
+    null_projector[..., 11] = t160
+    null_projector[..., 12] = t161
     null_projector[..., 13] = t162
-    null_projector[..., 14] = t164
+    null_projector[..., 14] = t163
     null_projector[..., 15] = 0.0
-    null_projector[..., 16] = t143
-    null_projector[..., 17] = t157
-    null_projector[..., 18] = t165 - np.where(t136 != 0.0, np.where(t136 != 0.0, t142 * t142, 0.0), 0.0)
-    null_projector[..., 19] = t167
-    null_projector[..., 20] = t168
-    null_projector[..., 21] = t170
-    null_projector[..., 22] = t172
+    null_projector[..., 16] = t150
+    null_projector[..., 17] = t159
+    null_projector[..., 18] = 1 - t53 * t53 - t100 * t100 - t149 * t149
+    null_projector[..., 19] = t164
+    null_projector[..., 20] = t165
+    null_projector[..., 21] = t166
+    null_projector[..., 22] = t167
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t146
-    null_projector[..., 25] = t159
-    null_projector[..., 26] = t167
-    null_projector[..., 27] = t173 - np.where(t136 != 0.0, np.where(t136 != 0.0, t145 * t145, 0.0), 0.0)
-    null_projector[..., 28] = t174
-    null_projector[..., 29] = t176
-    null_projector[..., 30] = t178
+    null_projector[..., 24] = t152
+    null_projector[..., 25] = t160
+    null_projector[..., 26] = t164
+    null_projector[..., 27] = 1 - t55 * t55 - t102 * t102 - t151 * t151
+    null_projector[..., 28] = t168
+    null_projector[..., 29] = t169
+    null_projector[..., 30] = t170
     null_projector[..., 31] = 0.0
-    null_projector[..., 32] = t148
-    null_projector[..., 33] = t160
-    null_projector[..., 34] = t168
-    null_projector[..., 35] = t174
-    null_projector[..., 36] = 1 - np.where(t110 != 0.0, np.where(t136 != 0.0, np.where(t110 != 0.0, np.where(t136 != 0.0, t147 * t147, 0.0), 0.0), 0.0), 0.0)
-    null_projector[..., 37] = t179
-    null_projector[..., 38] = t180
+    null_projector[..., 32] = t154
+    null_projector[..., 33] = t161
+    null_projector[..., 34] = t165
+    null_projector[..., 35] = t168
+    null_projector[..., 36] = 1 - t153 * t153
+    null_projector[..., 37] = t171
+    null_projector[..., 38] = t172
     null_projector[..., 39] = 0.0
-    null_projector[..., 40] = t151
+    null_projector[..., 40] = t156
     null_projector[..., 41] = t162
-    null_projector[..., 42] = t170
-    null_projector[..., 43] = t176
-    null_projector[..., 44] = t179
-    null_projector[..., 45] = t181 - np.where(t136 != 0.0, np.where(t136 != 0.0, t150 * t150, 0.0), 0.0)
-    null_projector[..., 46] = t183
+    null_projector[..., 42] = t166
+    null_projector[..., 43] = t169
+    null_projector[..., 44] = t171
+    null_projector[..., 45] = 1 - t58 * t58 - t104 * t104 - t155 * t155
+    null_projector[..., 46] = t173
     null_projector[..., 47] = 0.0
-    null_projector[..., 48] = t154
-    null_projector[..., 49] = t164
-    null_projector[..., 50] = t172
-    null_projector[..., 51] = t178
-    null_projector[..., 52] = t180
-    null_projector[..., 53] = t183
-    null_projector[..., 54] = t184 - np.where(t136 != 0.0, np.where(t136 != 0.0, t153 * t153, 0.0), 0.0)
+    null_projector[..., 48] = t158
+    null_projector[..., 49] = t163
+    null_projector[..., 50] = t167
+    null_projector[..., 51] = t170
+    null_projector[..., 52] = t172
+    null_projector[..., 53] = t173
+    null_projector[..., 54] = 1 - t66 * t66 - t106 * t106 - t157 * t157
     null_projector[..., 55] = 0.0
     null_projector[..., 56] = 0.0
     null_projector[..., 57] = 0.0

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f.
+ * Made from templates/kernel.c.j2; inputs 14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f";
+const char ur5e_kinematics_digest[] = "14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f.
+Made from templates/kernel.py.j2; inputs 14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

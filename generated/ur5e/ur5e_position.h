@@ -1,6 +1,6 @@
 /* ur5e_position.h: manipulability (position) of ur5e.
- * Made from templates/kernel.h.j2; inputs 0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2.
- * 1082 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 7692a882290b6e1199cf874baefa2e958aca632c9b17f5da60b02cb38fb61b66.
+ * 893 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void ur5e_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrdi
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   541 operations */
+ *   352 operations */
 void ur5e_null_projector_position(const double *q, double *null_projector);
 void ur5e_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void ur5e_null_projector_positionf(const float *q, float *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0e7dfa17db0ff64522e94acabd9d97044ee1fd06ac5a4a3129fc8a28cda777c2.
-1082 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 7692a882290b6e1199cf874baefa2e958aca632c9b17f5da60b02cb38fb61b66.
+893 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -313,7 +313,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 541 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 352 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -352,152 +352,148 @@ def null_projector_position(q):
     t13 = 0.1333 + t1
     t14 = t6 * t13
     t15 = np.sqrt((t12 + t14 * t14))
-    t16 = np.where(t15 != 0.0, t1 / t15, 0.0)
-    t17 = np.where(t15 != 0.0, t9 / t15, 0.0)
-    t18 = np.where(t15 != 0.0, t10 / t15, 0.0)
-    t19 = np.where(t15 != 0.0, t11 / t15, 0.0)
-    t20 = t16 * t16 + t17 * t17 + t18 * t18 + t19 * t19
-    t21 = t14 / t15
-    t22 = np.sqrt((t20 + np.where(t15 != 0.0, np.where(t15 != 0.0, t21 * t21, 0.0), 0.0)))
-    t23 = t16 / t22
-    t24 = -0.425 * c2
-    t25 = t24 - 0.3922 * t5
-    t26 = t25 + 0.0997 * t8
-    t27 = t26 - 0.0996 * (t6 * s5)
-    t28 = t21 / t22
-    t29 = t8 * (t9 - t7) + t6 * (t27 - t26)
-    t30 = np.where(t22 != 0.0, -(t23 * t27), 0.0) + np.where(t15 != 0.0, np.where(t22 != 0.0, -(t28 * t29), 0.0), 0.0)
-    t31 = t27 - np.where(t22 != 0.0, -(t23 * t30), 0.0)
-    t32 = t17 / t22
-    t33 = np.where(t22 != 0.0, -(t30 * t32), 0.0)
-    t34 = t18 / t22
-    t35 = np.where(t22 != 0.0, -(t30 * t34), 0.0)
-    t36 = t19 / t22
-    t37 = np.where(t22 != 0.0, -(t30 * t36), 0.0)
-    t38 = t31 * t31 + t33 * t33 + t35 * t35 + t37 * t37
-    t39 = t29 + np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t30, 0.0), 0.0)
-    t40 = np.sqrt((t38 + t39 * t39))
-    t41 = t31 / t40
-    t42 = t33 / t40
-    t43 = t35 / t40
-    t44 = t37 / t40
-    t45 = t32 * t42 - t23 * t41 + t34 * t43 + t36 * t44
-    t46 = t39 / t40
-    t47 = np.where(t22 != 0.0, t45, 0.0) + np.where(t15 != 0.0, np.where(t22 != 0.0, -(t28 * t46), 0.0), 0.0)
-    t48 = np.where(t40 != 0.0, t41, 0.0) - np.where(t22 != 0.0, np.where(t40 != 0.0, -(t23 * t47), 0.0), 0.0)
-    t49 = np.where(t40 != 0.0, -t42, 0.0) - np.where(t22 != 0.0, np.where(t40 != 0.0, -(t32 * t47), 0.0), 0.0)
-    t50 = np.where(t40 != 0.0, -t43, 0.0) - np.where(t22 != 0.0, np.where(t40 != 0.0, -(t34 * t47), 0.0), 0.0)
-    t51 = np.where(t40 != 0.0, -t44, 0.0) - np.where(t22 != 0.0, np.where(t40 != 0.0, -(t36 * t47), 0.0), 0.0)
-    t52 = t48 * t48 + t49 * t49 + t50 * t50 + t51 * t51
-    t53 = np.where(t40 != 0.0, -t46, 0.0) - np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t40 != 0.0, t28 * t47, 0.0), 0.0), 0.0)
-    t54 = np.sqrt((t52 + t53 * t53))
-    t55 = t48 / t54
-    t56 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t23, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t55, 0.0), 0.0)
-    t57 = t27 - t24
-    t58 = t27 - t25
-    t59 = np.where(t22 != 0.0, -(t27 * t32 + t34 * t57 + t36 * t58), 0.0)
-    t60 = t8 * t13
-    t61 = t59 + np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t60, 0.0), 0.0)
-    t62 = t23 * t61
-    t63 = t27 - np.where(t22 != 0.0, -(t32 * t61), 0.0)
-    t64 = t49 / t54
-    t65 = t57 - np.where(t22 != 0.0, -(t34 * t61), 0.0)
-    t66 = t50 / t54
-    t67 = t63 * t64 - np.where(t22 != 0.0, -(t55 * t62), 0.0) + t65 * t66
-    t68 = t58 - np.where(t22 != 0.0, -(t36 * t61), 0.0)
-    t69 = t51 / t54
-    t70 = t60 - np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t61, 0.0), 0.0)
-    t71 = t53 / t54
-    t72 = t67 + t68 * t69 + t70 * t71
-    t73 = np.where(t22 != 0.0, -t62, 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t72, 0.0), 0.0)
-    t74 = t63 - np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t72, 0.0), 0.0)
-    t75 = t65 - np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t72, 0.0), 0.0)
-    t76 = t68 - np.where(t54 != 0.0, np.where(t54 != 0.0, t69 * t72, 0.0), 0.0)
-    t77 = t73 * t73 + t74 * t74 + t75 * t75 + t76 * t76
-    t78 = t70 - np.where(t54 != 0.0, np.where(t54 != 0.0, t71 * t72, 0.0), 0.0)
-    t79 = np.sqrt((t77 + t78 * t78))
-    t80 = t73 / t79
-    t81 = t74 / t79
-    t82 = t75 / t79
-    t83 = t76 / t79
-    t84 = t23 * t80 - t32 * t81 - t34 * t82 - t36 * t83
-    t85 = t78 / t79
-    t86 = np.where(t22 != 0.0, t84, 0.0) + np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t85, 0.0), 0.0)
-    t87 = np.where(t79 != 0.0, -t80, 0.0) - np.where(t22 != 0.0, np.where(t79 != 0.0, -(t23 * t86), 0.0), 0.0)
-    t88 = np.where(t79 != 0.0, t81, 0.0) - np.where(t22 != 0.0, np.where(t79 != 0.0, -(t32 * t86), 0.0), 0.0)
-    t89 = np.where(t79 != 0.0, t82, 0.0) - np.where(t22 != 0.0, np.where(t79 != 0.0, -(t34 * t86), 0.0), 0.0)
-    t90 = np.where(t79 != 0.0, t83, 0.0) - np.where(t22 != 0.0, np.where(t79 != 0.0, -(t36 * t86), 0.0), 0.0)
-    t91 = t55 * t87 + t64 * t88 + t66 * t89 + t69 * t90
-    t92 = np.where(t79 != 0.0, t85, 0.0) - np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t79 != 0.0, t28 * t86, 0.0), 0.0), 0.0)
-    t93 = t91 + t71 * t92
-    t94 = t87 - np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t93, 0.0), 0.0)
-    t95 = t88 - np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t93, 0.0), 0.0)
-    t96 = t89 - np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t93, 0.0), 0.0)
-    t97 = t90 - np.where(t54 != 0.0, np.where(t54 != 0.0, t69 * t93, 0.0), 0.0)
-    t98 = t94 * t94 + t95 * t95 + t96 * t96 + t97 * t97
-    t99 = t92 - np.where(t54 != 0.0, np.where(t54 != 0.0, t71 * t93, 0.0), 0.0)
-    t100 = np.sqrt((t98 + t99 * t99))
-    t101 = t94 / t100
-    t102 = np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t32, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t64, 0.0), 0.0)
-    t103 = t95 / t100
-    t104 = -(t102 + np.where(t100 != 0.0, np.where(t100 != 0.0, t101 * t103, 0.0), 0.0))
-    t105 = np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t34, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t66, 0.0), 0.0)
-    t106 = t96 / t100
-    t107 = -(t105 + np.where(t100 != 0.0, np.where(t100 != 0.0, t101 * t106, 0.0), 0.0))
-    t108 = np.where(t22 != 0.0, np.where(t22 != 0.0, t23 * t36, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t69, 0.0), 0.0)
-    t109 = t97 / t100
-    t110 = -(t108 + np.where(t100 != 0.0, np.where(t100 != 0.0, t101 * t109, 0.0), 0.0))
-    t111 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t23 * t28), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t55 * t71, 0.0), 0.0)
-    t112 = t99 / t100
-    t113 = -(t111 + np.where(t100 != 0.0, np.where(t100 != 0.0, t101 * t112, 0.0), 0.0))
-    t114 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t32 * t32, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t64, 0.0), 0.0)
-    t115 = np.where(t22 != 0.0, np.where(t22 != 0.0, t32 * t34, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t66, 0.0), 0.0)
-    t116 = -(t115 + np.where(t100 != 0.0, np.where(t100 != 0.0, t103 * t106, 0.0), 0.0))
-    t117 = np.where(t22 != 0.0, np.where(t22 != 0.0, t32 * t36, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t69, 0.0), 0.0)
-    t118 = -(t117 + np.where(t100 != 0.0, np.where(t100 != 0.0, t103 * t109, 0.0), 0.0))
-    t119 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t28 * t32), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t64 * t71, 0.0), 0.0)
-    t120 = -(t119 + np.where(t100 != 0.0, np.where(t100 != 0.0, t103 * t112, 0.0), 0.0))
-    t121 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t34 * t34, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t66, 0.0), 0.0)
-    t122 = np.where(t22 != 0.0, np.where(t22 != 0.0, t34 * t36, 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t69, 0.0), 0.0)
-    t123 = -(t122 + np.where(t100 != 0.0, np.where(t100 != 0.0, t106 * t109, 0.0), 0.0))
-    t124 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t28 * t34), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t66 * t71, 0.0), 0.0)
-    t125 = -(t124 + np.where(t100 != 0.0, np.where(t100 != 0.0, t106 * t112, 0.0), 0.0))
-    t126 = 1 - np.where(t22 != 0.0, np.where(t22 != 0.0, t36 * t36, 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t69 * t69, 0.0), 0.0)
-    t127 = np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t22 != 0.0, -(t28 * t36), 0.0), 0.0), 0.0) + np.where(t54 != 0.0, np.where(t54 != 0.0, t69 * t71, 0.0), 0.0)
-    t128 = -(t127 + np.where(t100 != 0.0, np.where(t100 != 0.0, t109 * t112, 0.0), 0.0))
-    t129 = 1 - np.where(t15 != 0.0, np.where(t22 != 0.0, np.where(t15 != 0.0, np.where(t22 != 0.0, t28 * t28, 0.0), 0.0), 0.0), 0.0) - np.where(t54 != 0.0, np.where(t54 != 0.0, t71 * t71, 0.0), 0.0)
+    t16 = np.where(t15 != 0.0, 1, 0.0)
+    t17 = t16 / (t15 + (1 - t16))
+    t18 = t1 * t17
+    t19 = t9 * t17
+    t20 = t10 * t17
+    t21 = t11 * t17
+    t22 = t18 * t18 + t19 * t19 + t20 * t20 + t21 * t21
+    t23 = t14 * t17
+    t24 = np.sqrt((t22 + t23 * t23))
+    t25 = np.where(t24 != 0.0, 1, 0.0)
+    t26 = t25 / (t24 + (1 - t25))
+    t27 = t18 * t26
+    t28 = -0.425 * c2
+    t29 = t28 - 0.3922 * t5
+    t30 = t29 + 0.0997 * t8
+    t31 = t30 - 0.0996 * (t6 * s5)
+    t32 = t23 * t26
+    t33 = t8 * (t9 - t7) + t6 * (t31 - t30)
+    t34 = t27 * t31 + t32 * t33
+    t35 = t31 - t27 * t34
+    t36 = t19 * t26
+    t37 = t34 * t36
+    t38 = t20 * t26
+    t39 = t34 * t38
+    t40 = t21 * t26
+    t41 = t34 * t40
+    t42 = t35 * t35 + t37 * t37 + t39 * t39 + t41 * t41
+    t43 = t32 * t34 - t33
+    t44 = np.sqrt((t42 + t43 * t43))
+    t45 = np.where(t44 != 0.0, 1, 0.0)
+    t46 = t45 / (t44 + (1 - t45))
+    t47 = t35 * t46
+    t48 = t37 * t46
+    t49 = t39 * t46
+    t50 = t41 * t46
+    t51 = t36 * t48 - t27 * t47 + t38 * t49 + t40 * t50
+    t52 = t43 * t46
+    t53 = t51 + t32 * t52
+    t54 = t47 + t27 * t53
+    t55 = t36 * t53 - t48
+    t56 = t38 * t53 - t49
+    t57 = t40 * t53 - t50
+    t58 = t54 * t54 + t55 * t55 + t56 * t56 + t57 * t57
+    t59 = t52 - t32 * t53
+    t60 = np.sqrt((t58 + t59 * t59))
+    t61 = np.where(t60 != 0.0, 1, 0.0)
+    t62 = t61 / (t60 + (1 - t61))
+    t63 = t54 * t62
+    t64 = t8 * t13
+    t65 = t31 - t28
+    t66 = t31 - t29
+    t67 = t32 * t64 - (t31 * t36 + t38 * t65 + t40 * t66)
+    t68 = t27 * t67
+    t69 = t31 + t36 * t67
+    t70 = t55 * t62
+    t71 = t65 + t38 * t67
+    t72 = t56 * t62
+    t73 = t66 + t40 * t67
+    t74 = t57 * t62
+    t75 = t63 * t68 + t69 * t70 + t71 * t72 + t73 * t74
+    t76 = t64 - t32 * t67
+    t77 = t59 * t62
+    t78 = t75 + t76 * t77
+    t79 = t68 - t63 * t78
+    t80 = t69 - t70 * t78
+    t81 = t71 - t72 * t78
+    t82 = t73 - t74 * t78
+    t83 = t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82
+    t84 = t76 - t77 * t78
+    t85 = np.sqrt((t83 + t84 * t84))
+    t86 = np.where(t85 != 0.0, 1, 0.0)
+    t87 = t86 / (t85 + (1 - t86))
+    t88 = t79 * t87
+    t89 = t84 * t87
+    t90 = t80 * t87
+    t91 = t81 * t87
+    t92 = t82 * t87
+    t93 = t27 * t88 + t36 * t90 + t38 * t91 + t40 * t92
+    t94 = t32 * t89 - t93
+    t95 = t88 + t27 * t94
+    t96 = t90 + t36 * t94
+    t97 = t91 + t38 * t94
+    t98 = t92 + t40 * t94
+    t99 = t63 * t95 + t70 * t96 + t72 * t97 + t74 * t98
+    t100 = t89 - t32 * t94
+    t101 = t99 + t77 * t100
+    t102 = t95 - t63 * t101
+    t103 = t96 - t70 * t101
+    t104 = t97 - t72 * t101
+    t105 = t98 - t74 * t101
+    t106 = t102 * t102 + t103 * t103 + t104 * t104 + t105 * t105
+    t107 = t100 - t77 * t101
+    t108 = np.sqrt((t106 + t107 * t107))
+    t109 = np.where(t108 != 0.0, 1, 0.0)
+    t110 = t109 / (t108 + (1 - t109))
+    t111 = t102 * t110
+    t112 = t103 * t110
+    t113 = -(t27 * t36 + t63 * t70 + t111 * t112)
+    t114 = t104 * t110
+    t115 = -(t27 * t38 + t63 * t72 + t111 * t114)
+    t116 = t105 * t110
+    t117 = -(t27 * t40 + t63 * t74 + t111 * t116)
+    t118 = t107 * t110
+    t119 = t27 * t32 - t63 * t77 - t111 * t118
+    t120 = -(t36 * t38 + t70 * t72 + t112 * t114)
+    t121 = -(t36 * t40 + t70 * t74 + t112 * t116)
+    t122 = t32 * t36 - t70 * t77 - t112 * t118
+    t123 = -(t38 * t40 + t72 * t74 + t114 * t116)
+    t124 = t32 * t38 - t72 * t77 - t114 * t118
+    t125 = t32 * t40 - t74 * t77 - t116 * t118
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = t56 - np.where(t100 != 0.0, np.where(t100 != 0.0, t101 * t101, 0.0), 0.0)
-    null_projector[..., 1] = t104
-    null_projector[..., 2] = t107
-    null_projector[..., 3] = t110
-    null_projector[..., 4] = t113
+    null_projector[..., 0] = 1 - t27 * t27 - t63 * t63 - t111 * t111
+    null_projector[..., 1] = t113
+    null_projector[..., 2] = t115
+    null_projector[..., 3] = t117
+    null_projector[..., 4] = t119
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t104
-    null_projector[..., 7] = t114 - np.where(t100 != 0.0, np.where(t100 != 0.0, t103 * t103, 0.0), 0.0)
-    null_projector[..., 8] = t116
-    null_projector[..., 9] = t118
-    null_projector[..., 10] = t120
+    null_projector[..., 6] = t113
+    null_projector[..., 7] = 1 - t36 * t36 - t70 * t70 - t112 * t112
+    null_projector[..., 8] = t120
+    null_projector[..., 9] = t121
+    null_projector[..., 10] = t122
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t107
-    null_projector[..., 13] = t116
-    null_projector[..., 14] = t121 - np.where(t100 != 0.0, np.where(t100 != 0.0, t106 * t106, 0.0), 0.0)
+    null_projector[..., 12] = t115
+    null_projector[..., 13] = t120
+    null_projector[..., 14] = 1 - t38 * t38 - t72 * t72 - t114 * t114
     null_projector[..., 15] = t123
-    null_projector[..., 16] = t125
+    null_projector[..., 16] = t124
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t110
-    null_projector[..., 19] = t118
+    null_projector[..., 18] = t117
+    null_projector[..., 19] = t121
     null_projector[..., 20] = t123
-    null_projector[..., 21] = t126 - np.where(t100 != 0.0, np.where(t100 != 0.0, t109 * t109, 0.0), 0.0)
-    null_projector[..., 22] = t128
+    null_projector[..., 21] = 1 - t40 * t40 - t74 * t74 - t116 * t116
+    null_projector[..., 22] = t125
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t113
-    null_projector[..., 25] = t120
-    null_projector[..., 26] = t125
-    null_projector[..., 27] = t128
-    null_projector[..., 28] = t129 - np.where(t100 != 0.0, np.where(t100 != 0.0, t112 * t112, 0.0), 0.0)
+    null_projector[..., 24] = t119
+    null_projector[..., 25] = t122
+    null_projector[..., 26] = t124
+    null_projector[..., 27] = t125
+    null_projector[..., 28] = 1 - t32 * t32 - t77 * t77 - t118 * t118
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

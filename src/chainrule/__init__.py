@@ -29,6 +29,9 @@ if TYPE_CHECKING:
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
     from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
     from chainrule.readers.paths import read_path
+    from chainrule.redundancy.path_files import read_task_path
+    from chainrule.redundancy.result import Event, Run
+    from chainrule.redundancy.task_path import TaskPath
     from chainrule.scaling import time_scaling
     from chainrule.self_motions.along import SelfMotionAlong, self_motion_along
     from chainrule.self_motions.best import BestPosture, best_posture
@@ -48,6 +51,7 @@ __all__ = [
     "Curve",
     "DescriptionError",
     "Ellipse",
+    "Event",
     "FastestMove",
     "FeasiblePostures",
     "FreeJointWarning",
@@ -63,11 +67,13 @@ __all__ = [
     "PostureChange",
     "Postures",
     "Regional3R",
+    "Run",
     "SelfMotion",
     "SelfMotionAlong",
     "SelfMotionMap",
     "SpeedRatios",
     "Spline",
+    "TaskPath",
     "Witness",
     "Workspace",
     "best_posture",
@@ -86,6 +92,7 @@ __all__ = [
     "posture_change_witness",
     "postures",
     "read_path",
+    "read_task_path",
     "regional_3r",
     "self_motion",
     "self_motion_along",
@@ -127,6 +134,9 @@ _HOMES = {
     **dict.fromkeys(("BestPosture", "best_posture"), "chainrule.self_motions.best"),
     "self_motion": "chainrule.self_motions.face",
     "read_path": "chainrule.readers.paths",
+    "read_task_path": "chainrule.redundancy.path_files",
+    **dict.fromkeys(("Event", "Run"), "chainrule.redundancy.result"),
+    "TaskPath": "chainrule.redundancy.task_path",
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),
 }
 

@@ -44,6 +44,8 @@ def _likely(name: str, group: str) -> bool:
     """Whether a function of this name is probably in a group: what is looked at first need not be made in vain."""
     if name.startswith(("jacobian_", "kinematics_", "survey_")) or name in ("position", "pose", "postures"):
         return group == "kinematics"
+    if name.startswith("step_"):
+        return group == f"redundancy_{name.removeprefix('step_')}"
     return name.startswith(group) or name.endswith(group)
 
 
@@ -186,7 +188,8 @@ class Arm:
         Raises:
             InputError: if this arm has no such function.
         """
-        for group in sorted(self.groups, key=lambda group: not _likely(name, group)):
+        rare = [group for group in self.groups_on_first_use if _likely(name, group)]
+        for group in sorted((*self.groups, *rare), key=lambda group: not _likely(name, group)):
             found = self._evaluators.get(group, name)
             if found is not None:
                 return found
@@ -204,6 +207,16 @@ class Arm:
             more = ("cuspidality",)
         followed = (f"continuation_{task}" for task, rows in self.tasks.items() if self.n - rows == 1)
         return ("kinematics", *self.full_rank_tasks, *more, *followed)
+
+    @property
+    def groups_on_first_use(self) -> tuple[str, ...]:
+        """Further groups, which :meth:`prepare` leaves to their first use unless they are named.
+
+        For each of the :attr:`full_rank_tasks` ``redundancy_<task>``, the step along it, and where joints are to spare
+        ``priority_<task>``, with a secondary task.
+        """
+        spare = (f"priority_{task}" for task in self.full_rank_tasks if self.tasks[task] < self.n)
+        return (*(f"redundancy_{task}" for task in self.full_rank_tasks), *spare)
 
     @property
     def full_rank_tasks(self) -> tuple[str, ...]:
@@ -248,7 +261,12 @@ class Arm:
             raise InputError(f"{self.name}: there is no task {task!r}; {', '.join(self.tasks)} are accepted")
         return task
 
-    def _task_group(self, task: str | None) -> str:
+    def task_of_full_rank(self, task: str | None) -> str:
+        """The named task, or the default one, if it has no more rows than there are joints.
+
+        Raises:
+            InputError: another one.
+        """
         task = self._task(task)
         if self.tasks[task] > self.n:
             raise InputError(
@@ -309,7 +327,7 @@ class Arm:
 
         They vanish together exactly at the singular configurations. For n = m there is one: the determinant.
         """
-        task = self._task_group(task)
+        task = self.task_of_full_rank(task)
         result: Array = self._call(task, f"minors_{task}", q, out)
         return result
 
@@ -322,7 +340,7 @@ class Arm:
             >>> float(planar_3r(1.0, 0.5, 0.25).manipulability([0.3, 0.0, 0.0]))
             0.0
         """
-        task = self._task_group(task)
+        task = self.task_of_full_rank(task)
         result: Array = self._call(task, f"manipulability_{task}", q, out)
         return result
 
@@ -337,7 +355,7 @@ class Arm:
         Raises:
             InputError: an unknown criterion, or a task with more rows than joints.
         """
-        task = self._task_group(task)
+        task = self.task_of_full_rank(task)
         if criterion not in CRITERIA:
             raise InputError(f"{self.name}: there is no criterion {criterion!r}; {', '.join(CRITERIA)} are accepted")
         place = CRITERIA[criterion]
@@ -353,7 +371,7 @@ class Arm:
         Raises:
             InputError: if n - m is not 1.
         """
-        task = self._task_group(task)
+        task = self.task_of_full_rank(task)
         result: Array = self._call(task, f"null_vector_{task}", q, out)
         return result
 
@@ -363,7 +381,7 @@ class Arm:
         By orthogonal factorisation, so that P is symmetric and idempotent to rounding also near singularities; at an
         exactly singular configuration rows of J that vanish in the factorisation are left out.
         """
-        task = self._task_group(task)
+        task = self.task_of_full_rank(task)
         result: Array = self._call(task, f"null_projector_{task}", q, out)
         return result
 

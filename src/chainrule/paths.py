@@ -407,18 +407,48 @@ class Circle(Arc):
 # ---- curves by a parameter of their own ------------------------------------------------------------------------
 
 
-class _Parametric(Path):
-    """A curve r(u), 0 <= u <= 1 or another range, measured and inverted by panels.
+class ArcLength:
+    """The arc length of a curve by its own parameter u, and the inverse, measured by panels to a relative 1e-13.
 
     In each panel the arc length from its start is a Gauss-Legendre sum, and u(s) a Chebyshev series.
+
+    Args:
+        speed: |dr/du| at u (...,), of the same shape.
+        breaks: (k,) rising values of u: both ends, and the places between where r is not smooth to all orders.
+
+    Attributes:
+        length: m.
+        edges: (p + 1,) u where panels meet.
+
+    Raises:
+        InputError: the curve is not smooth enough between the breaks.
+
+    Example:
+        >>> ArcLength(lambda u: 2.0 * u, np.array([1.0, 2.0])).parameter(np.array([1.25])).round(12)
+        array([1.5])
     """
 
-    def _measure(self, breaks: Array) -> None:
-        """Panels, arc lengths and the inverse; ``breaks`` are the places where r is not smooth to all orders."""
-        edges, lengths, series = _panels(self._speed, breaks)
-        self._edges, self._series = edges, series
+    def __init__(self, speed: Callable[[Array], Array], breaks: Array) -> None:
+        self.edges, lengths, self._series = _panels(speed, breaks)
         self._marks = np.concatenate([[0.0], np.cumsum(lengths)])
         self.length = float(self._marks[-1])
+
+    def parameter(self, s: Array) -> Array:
+        """The curve's own parameter at arc lengths from 0 to the length."""
+        panel = np.searchsorted(self._marks[1:-1], s, side="right")
+        low, high = self._marks[panel], self._marks[panel + 1]
+        x = np.minimum(np.maximum((2.0 * s - low - high) / (high - low), -1.0), 1.0)
+        return _chebyshev_sum(self._series[panel], x)
+
+
+class _Parametric(Path):
+    """A curve r(u), 0 <= u <= 1 or another range, measured and inverted by :class:`ArcLength`."""
+
+    def _measure(self, breaks: Array) -> None:
+        """Arc lengths and the inverse; ``breaks`` are the places where r is not smooth to all orders."""
+        self._arc = ArcLength(self._speed, breaks)
+        self.length = self._arc.length
+        edges = self._arc.edges
         share = np.linspace(0.0, 1.0, _SAMPLES + 1)
         u = (edges[:-1, None] + np.diff(edges)[:, None] * share).ravel()
         speed = self._speed(u)
@@ -443,10 +473,7 @@ class _Parametric(Path):
 
     def parameter(self, s: Array) -> Array:
         """The curve's own parameter at arc lengths from 0 to the length."""
-        panel = np.searchsorted(self._marks[1:-1], s, side="right")
-        low, high = self._marks[panel], self._marks[panel + 1]
-        x = np.minimum(np.maximum((2.0 * s - low - high) / (high - low), -1.0), 1.0)
-        return _chebyshev_sum(self._series[panel], x)
+        return self._arc.parameter(s)
 
     def _inside(self, s: Array) -> Frame:
         return self._at(self.parameter(s))

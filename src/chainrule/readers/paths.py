@@ -163,7 +163,7 @@ def from_csv(content: bytes) -> Spline:
                 continue
             if len(entries) != 2:
                 raise DescriptionError(f"row {number}: {len(entries)} entries; two numbers x,y are accepted")
-            point = [_cell(entry, f"row {number}, {axis}") for entry, axis in zip(entries, "xy", strict=True)]
+            point = [cell(entry, f"row {number}, {axis}") for entry, axis in zip(entries, "xy", strict=True)]
             if points and point == points[-1]:
                 raise DescriptionError(f"row {number}: the same point as the row before it")
             points.append(point)
@@ -178,7 +178,8 @@ def from_csv(content: bytes) -> Spline:
         raise DescriptionError(str(error)) from None
 
 
-def _cell(text: str, what: str) -> float:
+def cell(text: str, what: str) -> float:
+    """The finite number in a cell of a CSV file; ``what`` is what a message calls it."""
     try:
         number = float(text) if len(text) <= 100 and "_" not in text else math.nan
     except ValueError:

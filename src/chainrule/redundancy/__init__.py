@@ -1,1 +1,1 @@
-"""Following a path with spare joints: the law of each step, whole runs, many at once, and the price of each way."""
+"""Redundant arms along a task: the law of a step, and what follows a path with it."""

@@ -1,0 +1,300 @@
+"""One step of a redundant arm along a task: a law, made into numbers once, and the generated function it feeds.
+
+    rates = J* (velocity - K error) + (I - J+ J) (sum_k gain_k grad criterion_k + push)
+
+derive/redundancy.py says what each part is and where it comes from.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from chainrule.arm import Arm
+from chainrule.errors import InputError, shown
+from chainrule.inputs import real_array
+
+Array = NDArray[Any]
+
+#: What a gain may be given for. Raising 1/H or H^(-1/2) lowers H: their gains are negative in practice, and so is that
+#: of "limits", the mean square of the joints' distances from the middles of their ranges, in half ranges, over 2.
+CRITERIA = ("H", "1/H", "H^(-1/2)", "limits")
+KINDS = ("none", "constant", "nakamura", "chiaverini")
+
+
+def _number(value: Any, name: str, least: float = -np.inf) -> float:
+    """``value`` as a finite number of at least ``least``."""
+    array = real_array(value, name)
+    if array.shape or array < least:
+        raise InputError(
+            f"{name}: {shown(value)}; a number{'' if least == -np.inf else f', {least:g} or more,'} is accepted"
+        )
+    return float(array)
+
+
+@dataclass(frozen=True)
+class Damping:
+    """Damping mu of the task: rates with the least |J rates - v|^2 + mu^2 rates^T W rates.
+
+    Attributes:
+        kind: ``"none"``; ``"constant"``: mu = factor; ``"nakamura"``: mu = factor (1 - H / threshold) where H is below
+            the threshold; ``"chiaverini"``: mu^2 = factor^2 (1 - (s / threshold)^2) where s, the estimate of the least
+            singular value of J, is below it. s is at least the least singular value / sqrt(m) and at most that value,
+            which it comes close to where it matters.
+        factor: mu, or the largest it becomes.
+        threshold: of H or of s, where damping sets in.
+
+    Raises:
+        InputError: an unknown kind, a factor below 0, a threshold that is not above 0.
+
+    Example:
+        >>> Damping("nakamura", 0.05, 0.01).to_dict()
+        {'kind': 'nakamura', 'factor': 0.05, 'threshold': 0.01}
+    """
+
+    kind: Literal["none", "constant", "nakamura", "chiaverini"] = "none"
+    factor: float = 0.0
+    threshold: float = 0.0
+
+    def __post_init__(self) -> None:
+        if self.kind not in KINDS:
+            raise InputError(f"damping: {shown(self.kind)}; {', '.join(KINDS)} are accepted")
+        _number(self.factor, "damping factor", least=0.0)
+        if _number(self.threshold, "damping threshold", least=0.0) == 0.0 and self.kind in KINDS[2:]:
+            raise InputError(f"damping threshold: {self.threshold}; for {self.kind} a number above 0 is accepted")
+
+    def to_dict(self) -> dict[str, Any]:
+        """The damping as plain data."""
+        return {"kind": self.kind, "factor": self.factor, "threshold": self.threshold}
+
+    def _entries(self) -> tuple[float, float, float, float, float]:
+        """The constant, and for H and s the factor with the inverse of the threshold."""
+        off = (0.0, 0.0)
+        scaled = (self.factor, 1.0 / self.threshold) if self.kind in KINDS[2:] else off
+        return (
+            self.factor if self.kind == "constant" else 0.0,
+            *(scaled if self.kind == "nakamura" else off),
+            *(scaled if self.kind == "chiaverini" else off),
+        )
+
+
+@dataclass(frozen=True)
+class Law:
+    """How an arm moves: what it does with the joints to spare, how it corrects errors, and how it is damped.
+
+    Attributes:
+        gains: for each criterion of :data:`CRITERIA` its gain; a positive one raises the criterion. The thesis of
+            Sanchez uses -2 with H^(-1/2).
+        feedback: 1/s, of the position error and of the orientation error.
+        damping: of the task near singularities.
+        weights: (n,) of the joints, W: of all rates that do the task those with the least
+            (rates - g)^T W (rates - g), where g is the gradients' sum and the push. A joint of infinite weight stands
+            still. None: all alike.
+
+    Raises:
+        InputError: an unknown criterion; numbers that are not finite; feedback below 0; weights that are not above 0.
+
+    Example:
+        >>> Law({"H^(-1/2)": -2.0}, feedback=(10.0, 10.0)).to_dict()["gains"]
+        {'H^(-1/2)': -2.0}
+    """
+
+    gains: Mapping[str, float] = field(default_factory=dict)
+    feedback: tuple[float, float] = (0.0, 0.0)
+    damping: Damping = Damping()
+    weights: tuple[float, ...] | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.gains, Mapping) or not set(self.gains) <= set(CRITERIA):
+            raise InputError(f"gains: {shown(self.gains)}; a gain for any of {', '.join(CRITERIA)} is accepted")
+        gains = {name: _number(gain, f"gain of {name}") for name, gain in self.gains.items()}
+        feedback = real_array(self.feedback, "feedback")
+        if feedback.shape != (2,) or (feedback < 0).any():
+            raise InputError(f"feedback: {shown(self.feedback)}; two numbers, 0 or more, are accepted")
+        if not isinstance(self.damping, Damping):
+            raise InputError(f"damping: {shown(self.damping)}; a Damping is accepted")
+        weights = None
+        if self.weights is not None:
+            given = real_array(self.weights, "weights", finite=False)
+            if given.ndim != 1 or not (given > 0).all():
+                raise InputError(f"weights: {shown(self.weights)}; one number above 0 for each joint is accepted")
+            weights = tuple(given.tolist())
+        object.__setattr__(self, "gains", gains)
+        object.__setattr__(self, "feedback", tuple(feedback.tolist()))
+        object.__setattr__(self, "weights", weights)
+
+    def to_dict(self) -> dict[str, Any]:
+        """The law as plain data."""
+        return {
+            "gains": dict(self.gains),
+            "feedback": list(self.feedback),
+            "damping": self.damping.to_dict(),
+            "weights": None if self.weights is None else list(self.weights),
+        }
+
+    def _settings(self) -> tuple[float, ...]:
+        """The entries of the generated functions' input ``settings``, all but dt."""
+        return (*self.feedback, *(self.gains.get(name, 0.0) for name in CRITERIA), *self.damping._entries())
+
+
+@dataclass(frozen=True)
+class Step:
+    """What a step gave, over the leading axes of what went in.
+
+    Attributes:
+        q_next: (..., n) q + dt rates.
+        rates: (..., n) rad/s, m/s.
+        manipulability: (...,) H before the step.
+        error: (..., m) of the task before the step, in the order of its rows: position minus target (m), and for an
+            orientation 2 sin(angle / 2), times the axis in space, of what turns the target into the tip.
+        null_motion: (..., n) the part of the rates that leaves the task alone.
+    """
+
+    q_next: Array
+    rates: Array
+    manipulability: Array
+    error: Array
+    null_motion: Array
+
+    def to_dict(self) -> dict[str, Any]:
+        """The step as plain data."""
+        return {name: np.asarray(getattr(self, name)).tolist() for name in self.__dataclass_fields__}
+
+
+class Stepper:
+    """The step of an arm under a law. Arrays broadcast over leading axes: thousands of arms in one call.
+
+    Args:
+        arm: the arm.
+        law: the law; or a sequence of them, which is then the last of the leading axes of every call.
+        task: the task, the arm's default one when absent; one with no more rows than joints.
+
+    Raises:
+        InputError: a task of more rows than joints; weights that are not one for each joint.
+
+    Example:
+        >>> import chainrule as cr
+        >>> arm, q = cr.load("sanchez_8r"), [0.1, 0.4, 0.3, 1.0, -0.7, 0.9, 0.5, 0.3]
+        >>> stepper = Stepper(arm, Law({"H^(-1/2)": -2.0}, feedback=(10.0, 10.0)))
+        >>> velocity = [0.1, 0.0, 0.0, 0.0, 0.0, 0.0]
+        >>> step = stepper(q, arm.pose(q), velocity, 0.001)
+        >>> bool(np.allclose(arm.jacobian(q) @ step.rates, velocity))
+        True
+    """
+
+    def __init__(self, arm: Arm, law: Law | Sequence[Law] | None = None, task: str | None = None) -> None:
+        self.arm, self.task = arm, arm.task_of_full_rank(task)
+        self.law = Law() if law is None else law if isinstance(law, Law) else tuple(law)
+        laws = (self.law,) if isinstance(self.law, Law) else self.law
+        for one in laws:
+            if not isinstance(one, Law):
+                raise InputError(f"law: {shown(one)}; a Law, or a sequence of them, is accepted")
+            if one.weights is not None and len(one.weights) != arm.n:
+                raise InputError(
+                    f"weights: {len(one.weights)} given; {arm.n}, one for each joint of {arm.name}, are accepted"
+                )
+        n, m = arm.n, arm.tasks[self.task]
+        settings = np.array([(*one._settings(), 0.0) for one in laws])
+        mobility = np.array([[1.0 / np.sqrt(w) for w in one.weights or (1.0,) * n] for one in laws])
+        low, high = arm.limits.position.T
+        bounded = np.isfinite(low) & np.isfinite(high) & (high > low)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            middle = np.where(bounded, (low + high) / 2, 0.0)
+            narrowness = np.where(bounded, 2.0 / (high - low), 0.0)
+        if isinstance(self.law, Law):
+            settings, mobility = settings[0], mobility[0]
+        fixed = (
+            mobility,
+            np.zeros(n),
+            middle,
+            narrowness,
+            settings,
+            *((arm.parameters,) if arm.parameters.size else ()),
+        )
+        self._fixed = {np.dtype(kind): tuple(a.astype(kind) for a in fixed) for kind in (np.float64, np.float32)}
+        self._still = {np.dtype(kind): np.zeros(m, kind) for kind in (np.float64, np.float32)}
+        self._most = min(n - m, 6)
+        self._step = arm.evaluator(f"step_{self.task}")
+
+    def __call__(
+        self,
+        q: ArrayLike,
+        held: ArrayLike,
+        velocity: ArrayLike | None,
+        dt: ArrayLike,
+        push: ArrayLike | None = None,
+        *,
+        secondary: tuple[ArrayLike, ArrayLike] | None = None,
+        out: Step | None = None,
+    ) -> Step:
+        """One step.
+
+        Args:
+            q: (..., n) rad or m; float32 here makes float32 of what the stepper itself brings.
+            held: where the tip should be: a homogeneous matrix (..., 4, 4); (..., 3) for the position; for planar tasks
+                (..., 2) or (..., 3), in the order of the task's rows.
+            velocity: (..., m) of the target, m/s and rad/s; None where it stands still.
+            dt: (...,) s.
+            push: (..., n) what is added to the gradients, projected like them.
+            secondary: Jacobian (..., k, n) and velocity (..., k) of a task of lower priority, done as far as this
+                task allows; at most n - m rows, and at most 6.
+            out: the step of a batch of the same leading axes, to overwrite.
+
+        Raises:
+            InputError: wrong shapes, or numbers that are not real.
+        """
+        q = np.asarray(q)
+        kind = q.dtype if q.dtype == np.float32 else np.dtype(np.float64)
+        mobility, still, middle, narrowness, settings, *parameters = self._fixed[kind]
+        settings = self._at(settings, dt)
+        given = (
+            mobility,
+            still if push is None else push,
+            middle,
+            narrowness,
+            settings,
+            *parameters,
+        )
+        aim = (q, held, self._still[kind] if velocity is None else velocity)
+        into = None if out is None else (out.q_next, out.rates, out.manipulability, out.error, out.null_motion)
+        if secondary is None:
+            found = self._step(*aim, *given, out=into)
+        else:
+            found = self._priority()(*aim, *self._padded(secondary, kind), *given, out=into)
+        return Step(*found) if out is None else out
+
+    def _at(self, settings: Array, dt: ArrayLike) -> Array:
+        """The settings with dt in them."""
+        if isinstance(dt, float):
+            filled = settings.copy()
+        else:
+            dt = real_array(dt, "dt", finite=False)
+            lead = np.broadcast_shapes(settings.shape[:-1], dt.shape)
+            filled = np.broadcast_to(settings, (*lead, settings.shape[-1])).copy()
+        filled[..., -1] = dt
+        return filled
+
+    def _priority(self) -> Any:
+        if self._most == 0:
+            raise InputError(
+                f"{self.arm.name}: the task '{self.task}' leaves no joint to spare, so no secondary task is accepted"
+            )
+        return self.arm.evaluator(f"priority_{self.task}")
+
+    def _padded(self, secondary: tuple[ArrayLike, ArrayLike], kind: Any) -> tuple[Array, Array]:
+        """The secondary task with rows of zeros, which do nothing, up to what the generated function takes."""
+        matrix, velocity = (np.asarray(a) for a in secondary)
+        rows, most = matrix.shape[-2] if matrix.ndim > 1 else 0, self._most
+        if not 0 < rows <= most or matrix.shape[-1] != self.arm.n or velocity.shape[-1:] != (rows,):
+            raise InputError(
+                f"secondary: shapes {matrix.shape} and {velocity.shape}; a Jacobian (..., k, {self.arm.n}) and a "
+                f"velocity (..., k) with k from 1 to {most} are accepted"
+            )
+        wide = np.zeros((*matrix.shape[:-2], most, self.arm.n), kind)
+        long = np.zeros((*velocity.shape[:-1], most), kind)
+        wide[..., :rows, :], long[..., :rows] = matrix, velocity
+        return wide, long
