@@ -391,3 +391,76 @@ def draw_population(
         axes.legend(frameon=False, fontsize=8.5, loc="lower right", markerscale=2.0)
         axes.set_title(fill(title, 72), loc="left")
     return drawing
+
+
+# ---- one quantity of several runs --------------------------------------------------------------------------------
+
+
+def draw_places(runs: Mapping[str, Run], shares: Sequence[float], title: str) -> Figure:
+    """The arm at shares of the time (0 to 1) of each run, side by side, with the way of its tip."""
+    with styled():
+        drawing = Figure(figsize=(WIDTH * (0.35 + 0.65 * len(runs)), WIDTH * 0.8), layout="constrained")
+        panels = drawing.subplots(1, len(runs), squeeze=False)[0]
+        for axes, (name, run) in zip(panels, runs.items(), strict=True):
+            draw_postures(axes, run, [round(share * (len(run.t) - 1)) for share in shares])
+            axes.set_title(name, loc="left")
+        _title(drawing, title)
+    return drawing
+
+
+def draw_heights(runs: Mapping[str, Run], title: str) -> Figure:
+    """det J Jᵀ over time, one line for each run."""
+    with styled():
+        drawing = Figure(figsize=(WIDTH * 1.2, WIDTH * 0.75), layout="constrained")
+        axes = drawing.add_subplot()
+        for k, (name, run) in enumerate(runs.items()):
+            _plain(axes, run)
+            label = f"{name}: least {readable(float(run.determinant.min()), 3)}"
+            axes.plot(run.t, run.determinant, lw=1.7, label=label, **line_look(k))
+        axes.set_ylim(0.0, 1.08 * max(float(run.determinant.max()) for run in runs.values()))
+        axes.set_xlabel("time [s]")
+        axes.set_ylabel("det J Jᵀ")
+        drawing.legend(loc="outside lower left", frameon=False, fontsize=8.5, ncols=len(runs), handlelength=2.8)
+        _title(drawing, title)
+    return drawing
+
+
+def draw_each_joint(runs: Mapping[str, Run], what: str, unit: str, title: str, note: str = "") -> Figure:
+    """One panel for each joint, in each of them a line for each run.
+
+    Args:
+        runs: the runs, by name, of one arm.
+        what: the attribute of a run that is drawn: "rates", "accelerations" or "torque".
+        unit: of what is drawn.
+        title: the finding.
+        note: a line below it, such as the masses that torques rest on.
+    """
+    n = next(iter(runs.values())).arm.n
+    with styled():
+        rows = -(-n // 2)
+        drawing = Figure(figsize=(WIDTH * 1.4, 0.9 + 1.15 * rows), layout="constrained")
+        panels = drawing.subplots(rows, 2, sharex=True, squeeze=False)
+        for j, axes in enumerate(panels.ravel()):
+            if j == n:
+                axes.set_axis_off()
+                continue
+            axes.axhline(0.0, color=COLOURS["line"], lw=0.8, zorder=0)
+            for k, run in enumerate(runs.values()):
+                _plain(axes, run)
+                axes.plot(run.t, getattr(run, what)[:, j], lw=1.4, **line_look(k))
+            axes.yaxis.set_major_locator(MaxNLocator(3))
+            axes.annotate(
+                f"q{j + 1}", (0.985, 0.97), xycoords="axes fraction", ha="right", va="top", color=COLOURS["ink"]
+            )
+        for axes in panels[-1]:
+            axes.set_xlabel("time [s]")
+        drawing.supylabel(f"[{unit}]", fontsize=10.0, color=COLOURS["muted"])
+        drawing.legend(
+            handles=[Line2D([], [], lw=1.6, label=name, **line_look(k)) for k, name in enumerate(runs)],
+            loc="outside lower left",
+            ncols=len(runs),
+            frameon=False,
+            handlelength=2.8,
+        )
+        _title(drawing, title, note)
+    return drawing
