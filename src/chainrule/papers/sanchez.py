@@ -668,3 +668,94 @@ def _gains() -> list[Row]:
             _TRACK.format(gain="2", steps=FINE),
         ),
     ]
+
+
+# ---- figures -----------------------------------------------------------------------------------------------------
+
+#: Figures 5.9 to 5.32: what is drawn, the path, the gain, the steps.
+_DRAWN: Mapping[str, tuple[str, str, float, int]] = {
+    "5.9": ("determinant", "arc", 0.0, COARSE),
+    "5.10": ("torque", "arc", 0.0, COARSE),
+    "5.11": ("rates", "arc", 0.0, COARSE),
+    "5.12": ("determinant", "arc", -2.0, COARSE),
+    "5.13": ("determinant", "arc", -0.19, COARSE),
+    "5.14": ("torque", "arc", -2.0, COARSE),
+    "5.15": ("rates", "arc", -2.0, COARSE),
+    "5.16": ("torque", "arc", -0.19, COARSE),
+    "5.17": ("rates", "arc", -0.19, COARSE),
+    "5.18": ("determinant", "arc", -4.0, FINE),
+    "5.19": ("torque", "arc", -4.0, FINE),
+    "5.20": ("rates", "arc", -4.0, FINE),
+    "5.21": ("determinant", "arc", -7.0, FINE),
+    "5.22": ("torque", "arc", -7.0, FINE),
+    "5.23": ("rates", "arc", -7.0, FINE),
+    "5.24": ("accelerations", "arc", 0.0, FINE),
+    "5.25": ("accelerations", "arc", -2.0, FINE),
+    "5.26": ("accelerations", "arc", -0.19, FINE),
+    "5.27": ("determinant", "ellipse", 0.0, FINE),
+    "5.28": ("determinant", "line", 0.0, FINE),
+    "5.29": ("torque", "ellipse", 0.0, FINE),
+    "5.30": ("torque", "line", 0.0, FINE),
+    "5.31": ("rates", "ellipse", 0.0, FINE),
+    "5.32": ("rates", "line", 0.0, FINE),
+}
+#: Figures 5.1 to 5.8: the path and the share of it that is behind.
+_PLACES: Mapping[str, tuple[str, float]] = {
+    "5.1": ("arc", 0.0),
+    "5.2": ("arc", 0.5),
+    "5.3": ("arc", 1.0),
+    "5.4": ("ellipse", 0.0),
+    "5.5": ("ellipse", 0.5),
+    "5.6": ("line", 0.0),
+    "5.7": ("line", 0.5),
+    "5.8": ("line", 1.0),
+}
+_WHERE = {0.0: "beginning", 0.5: "middle", 1.0: "end"}
+
+
+def figures() -> dict[str, Figure]:
+    """Figures 5.1 to 5.32, from the start postures A, B, C (arc), E (ellipse) and L (line), and two that say more.
+
+    ``figure-starts`` has random starts beside the selected ones, ``figure-gains`` what gains and steps go together.
+    """
+    return {f"figure-{name}": draw(name) for name in (*_PLACES, *_DRAWN)} | {
+        "figure-starts": draw_starts(),
+        "figure-gains": draw_gains(),
+    }
+
+
+def draw(name: str) -> Figure:
+    """One of the figures 5.1 to 5.32, by its number.
+
+    Raises:
+        KeyError: another number.
+    """
+    from chainrule.plot.redundancy import draw_each_joint, draw_heights, draw_places
+
+    if name in _PLACES:
+        path, share = _PLACES[name]
+        runs = _runs(path, 0.0)
+        places = f"Figure {name}: the arm at the {_WHERE[share]} of the {path}, λ = 0"
+        return draw_places(_named(runs), [share], places)
+    what, path, gain, steps = _DRAWN[name]
+    runs = _runs(path, gain, steps)
+    start = f"Figure {name}: the {path} with λ = {_sign(gain)}, step {2000.0 / steps:.3g} ms"
+    if what == "determinant":
+        near = "near a singularity" if all(_least(run) < 1e-4 for run in runs.values()) else "away from singularities"
+        return draw_heights(_named(runs), f"{start}, {near}: least det J Jᵀ at {_each(runs, _when, 3)} s")
+    peaks = {
+        "rates": ("joint rates", "rad/s", lambda run: run.peak_rate),
+        "accelerations": ("joint accelerations", "rad/s²", lambda run: run.peak_acceleration),
+        "torque": ("torques", "N m", _torque),
+    }
+    words, unit, peak = peaks[what]
+    note = f"{masses(_arm())}, gravity along −z" if what == "torque" else ""
+    return draw_each_joint(_named(runs), what, unit, f"{start}: {words} up to {_each(runs, peak, 3)} {unit}", note)
+
+
+def _sign(gain: float) -> str:
+    return f"{gain:g}".replace("-", "−")
+
+
+def _named(runs: Mapping[str, Run]) -> dict[str, Run]:
+    return {f"start {name}": run for name, run in runs.items()}
