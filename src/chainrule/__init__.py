@@ -29,9 +29,11 @@ if TYPE_CHECKING:
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
     from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
     from chainrule.readers.paths import read_path
+    from chainrule.redundancy.batch import Batch, Forecast, forecast, track_batch
     from chainrule.redundancy.path_files import read_task_path
     from chainrule.redundancy.result import Event, Run
     from chainrule.redundancy.task_path import TaskPath
+    from chainrule.redundancy.track import track
     from chainrule.scaling import time_scaling
     from chainrule.self_motions.along import SelfMotionAlong, self_motion_along
     from chainrule.self_motions.best import BestPosture, best_posture
@@ -45,6 +47,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Arc",
     "Arm",
+    "Batch",
     "BestPosture",
     "Circle",
     "Component",
@@ -54,6 +57,7 @@ __all__ = [
     "Event",
     "FastestMove",
     "FeasiblePostures",
+    "Forecast",
     "FreeJointWarning",
     "GenerationError",
     "InputError",
@@ -80,6 +84,7 @@ __all__ = [
     "classify_orthogonal_3r",
     "fastest",
     "follow",
+    "forecast",
     "generate",
     "load",
     "manipulability_map",
@@ -101,6 +106,8 @@ __all__ = [
     "speed_ratios_4",
     "speed_ratios_4_each",
     "time_scaling",
+    "track",
+    "track_batch",
     "workspace",
 ]
 
@@ -137,6 +144,8 @@ _HOMES = {
     "read_task_path": "chainrule.redundancy.path_files",
     **dict.fromkeys(("Event", "Run"), "chainrule.redundancy.result"),
     "TaskPath": "chainrule.redundancy.task_path",
+    "track": "chainrule.redundancy.track",
+    **dict.fromkeys(("Batch", "Forecast", "forecast", "track_batch"), "chainrule.redundancy.batch"),
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),
 }
 
