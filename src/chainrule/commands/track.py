@@ -71,7 +71,9 @@ def track(
     feedback: Annotated[float, typer.Option(help="Feedback on the errors of position and orientation, 1/s.")] = 0.0,
     integrator: Annotated[str, typer.Option(help="euler, heun, rk4 or dop853.")] = "euler",
     dt: Annotated[float, typer.Option(help="Step, s.")] = 0.002,
-    limits: Annotated[bool, typer.Option("--limits", help="Keep within the arm's limits; the path slows down.")] = False,
+    limits: Annotated[
+        bool, typer.Option("--limits", help="Keep within the arm's limits; the path slows down.")
+    ] = False,
     compare: Annotated[bool, typer.Option("--compare", help="Several methods, in one table and one figure.")] = False,
     figure: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw it into a .svg, .png or .pdf file.")] = None,
     csv: Annotated[

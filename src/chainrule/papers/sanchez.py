@@ -17,12 +17,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm, load, planar
-from chainrule.papers import Row, Verdict, compared
+from chainrule.papers import Row, Verdict
+from chainrule.redundancy.batch import Batch, track_batch
 from chainrule.redundancy.result import Run
 from chainrule.redundancy.step import Law, Stepper
 from chainrule.redundancy.task_path import TaskPath
 from chainrule.redundancy.track import track
-from chainrule.redundancy.track_batch import track_batch
 from chainrule.redundancy.words import masses
 
 if TYPE_CHECKING:
@@ -286,7 +286,8 @@ def _statics() -> Row:
         "(2.23)",
         "tau = Jᵀ f",
         "the joint torques, in section 5 the Newton-Euler algorithm",
-        f"at rest and without weight: Newton-Euler gives Jᵀ f to {off:.1g} N m; on the arc, with f = 0, {moving:.3g} N m",
+        f"at rest and without weight Newton-Euler gives Jᵀ f, to {off:.1g} N m; on the arc, with f = 0, "
+        f"{moving:.3g} N m",
         off < 1e-13 and moving > 1.0,
         "arm.inverse_dynamics(q, 0, 0, gravity=(0, 0, 0), wrench=f)",
         f"it is statics: motion and weight need inertia. Ours are assumed: {masses(arm)}",
@@ -305,16 +306,15 @@ def _law() -> list[Row]:
     inverse = np.linalg.pinv(jacobian)
     projected = gradient - np.einsum("bij,bj->bi", inverse, np.einsum("bij,bj->bi", jacobian, gradient))
     descent = -np.einsum("bi,bi->b", gradient, projected)  # H' along (4.9), v = 0
-    moved = {
-        gain: Stepper(arm, Law({ROOT: gain}))(q, arm.pose(q), None, 0.0).rates for gain in (-1.0, 1.0)
-    }  # (4.11)
+    moved = {gain: Stepper(arm, Law({ROOT: gain}))(q, arm.pose(q), None, 0.0).rates for gain in (-1.0, 1.0)}  # (4.11)
     change = {gain: np.einsum("bi,bi->b", gradient, rates) for gain, rates in moved.items()}
     same = float((np.abs(moved[-1.0] + projected).max(axis=1) / np.abs(projected).max(axis=1)).max())
     task = np.einsum("bij,bj->bi", jacobian, moved[-1.0])
     rest = float((np.abs(task).max(axis=1) / np.abs(moved[-1.0]).max(axis=1)).max())
     shapes = inverse[0].shape, jacobian[0].T.shape
     other = -(height[:, None] ** -2) * up  # of 1/w
-    ratio = float(np.abs(other / gradient / (2.0 * height[:, None] ** -0.5) - 1.0).max())
+    scaled = 2.0 * height[:, None] ** -0.5 * gradient
+    ratio = float((np.abs(other - scaled).max(axis=1) / np.abs(other).max(axis=1)).max())
     along = _run("A", -2.0).manipulability ** -0.5 * 2.0
     return [
         _claim(
@@ -332,7 +332,8 @@ def _law() -> list[Row]:
             f"the same motion has λ = 1 in (4.10) and λ = -1 in (4.11), to {same:.1g}",
             same < 1e-9,
             "Stepper(arm, Law({'H^(-1/2)': -1}))",
-            "the step from one to the other flips the sign of λ; with (4.11), which the thesis uses, negative gains lower H",
+            "the step from one to the other flips the sign of λ; with (4.11), which the thesis uses, negative gains "
+            "lower H",
             "corrected",
         ),
         _claim(
@@ -397,7 +398,9 @@ def _paths() -> list[Row]:
     arm = _arm()
     first = {name: PATHS[name]().sample([0.0], "position").held[0] for name in PATHS}
     off = max(
-        float(np.abs(arm.position(STARTS[start]) - first[name]).max()) for name, starts in ON.items() for start in starts
+        float(np.abs(arm.position(STARTS[start]) - first[name]).max())
+        for name, starts in ON.items()
+        for start in starts
     )
     theta = np.linspace(0.0, math.pi, 50)
     t = np.linspace(0.0, 2.0, 50)
@@ -536,8 +539,8 @@ def _arc() -> list[Row]:
             "figure 5.12",
             "λ = -2 on the arc",
             "keeps away from the singularity",
-            f"least det(J Jᵀ) {_each(strong, _least)}, {', '.join(f'{n} {g:.0f}' for n, g in gained.items())} times that "
-            "of λ = 0",
+            f"least det(J Jᵀ) {_each(strong, _least)}, {', '.join(f'{n} {g:.0f}' for n, g in gained.items())} times "
+            "that of λ = 0",
             all(_least(run) > 3e-4 for run in strong.values()) and min(gained.values()) > 10.0,
             how("-2"),
         ),
@@ -626,8 +629,8 @@ def _gains() -> list[Row]:
             f"{_each(twenty, lambda run: run.peak_rate)} rad/s; with 1/w within {_each(other, _millimetres)} mm",
             all(_millimetres(run) < 20.0 for run in twenty.values()),
             _TRACK.format(gain="-20", steps=COARSE),
-            "not with w^(-1/2): the step allows for more than ten times the gain. With 1/w, whose gradient is about ten "
-            "times as large, -20 is at the edge",
+            "not with w^(-1/2): the step allows for more than ten times the gain. With 1/w, whose gradient is about "
+            "ten times as large, -20 is at the edge",
             "corrected",
         ),
         _claim(
@@ -663,11 +666,236 @@ def _gains() -> list[Row]:
             "λ > 0 at Δt = .002",
             "the end effector does not follow its path",
             f"λ = 2 heads for a singularity: least det(J Jᵀ) {_each(up, _least)}, rates up to "
-            f"{_each(up, lambda run: run.peak_rate)} rad/s, tip off by {_each(up, _millimetres)} mm",
-            all(run.peak_rate > 100.0 and _millimetres(run) > 20.0 for run in up.values()),
+            f"{_each(up, lambda run: run.peak_rate)} rad/s; the tip is off by {_each(up, _millimetres)} mm"
+            + "".join(
+                f", {name} breaks off at {run.t[-1]:.2f} s" for name, run in up.items() if run.status == "stopped"
+            ),
+            all(run.peak_rate > 100.0 and (_millimetres(run) > 20.0 or run.status == "stopped") for run in up.values()),
             _TRACK.format(gain="2", steps=FINE),
         ),
     ]
+
+
+#: Gains and steps of the stability map, from A on the arc.
+GAINS = -np.geomspace(0.2, 400.0, 23)
+MAP_STEPS = (FINE, 500, COARSE, 200, 100, 50)
+#: From this distance on the tip has lost the path, m.
+LOST = 0.1
+
+
+@cache
+def _map() -> Batch:
+    dt = [2.0 / steps for steps in MAP_STEPS]
+    return track_batch(_arm(), thesis_arc(), STARTS["A"], GAINS, dt, criterion=ROOT, feedback=0.0)
+
+
+def _steps() -> list[Row]:
+    found = _map()
+    lost = found.diverged[0] | ~(found.worst_position_error[0] < LOST)
+    last = {
+        steps: float(GAINS[int(np.argmax(lost[:, k])) - 1]) for k, steps in enumerate(MAP_STEPS) if lost[:, k].any()
+    }
+    product = np.array([-gain * 2.0 / steps for steps, gain in last.items()])
+    fine = [500, 1000, 2000, 4000]
+    halved = track_batch(
+        _arm(), thesis_arc(), STARTS["A"], [0.0, -2.0], [2.0 / n for n in fine], criterion=ROOT, feedback=0.0
+    ).final_position_error[0]
+    order = np.log2(halved[:, :-1] / halved[:, 1:])[:, -1]
+    held = _run("A", -2.0, feedback=10.0)
+    loose = _run("A", -2.0)
+    return [
+        _claim(
+            "section 5.1.1",
+            "the larger the gain, the smaller Δt",
+            "a stiffer system",
+            "from A the path is lost beyond "
+            + ", ".join(f"λ = {gain:.3g} at {2000.0 / steps:.3g} ms" for steps, gain in last.items()),
+            len(last) >= 3 and float(product.max() / product.min()) < 2.5,
+            "track_batch(arm, thesis_arc(), STARTS['A'], gains, dt, feedback=0)",
+            f"|λ| Δt stays below {product.min():.2g} to {product.max():.2g} s, as the bound 2 / (Δt ρ) of an explicit "
+            "step says",
+        ),
+        _claim(
+            "sections 3.4, 5",
+            "error of Euler's method",
+            "a smaller step makes it as small as desired; O(Δt²) in a step",
+            f"order {order[0]:.2f} with λ = 0 and {order[1]:.2f} with λ = -2, at the end of the arc",
+            bool(np.abs(order - 1.0).max() < 0.1),
+            "track_batch(arm, thesis_arc(), STARTS['A'], [0, -2], dt, feedback=0).final_position_error",
+            "O(Δt²) in each step adds up to first order over the path",
+        ),
+        _claim(
+            BEYOND,
+            "final position error, λ = -2 from A, Δt = .0067",
+            "no feedback",
+            f"{1000 * loose.final_position_error:.2g} mm without feedback, {1000 * held.final_position_error:.2g} mm "
+            "with 10 1/s",
+            held.final_position_error < 0.1 * loose.final_position_error,
+            "track(..., feedback=10)",
+            "the errors of the steps add up unless they are fed back",
+            "refined",
+        ),
+    ]
+
+
+BEYOND = "beyond the thesis"
+
+
+# ---- the other two paths -----------------------------------------------------------------------------------------
+
+
+def _other_paths() -> list[Row]:
+    ellipse = {gain: _run("E", gain, FINE) for gain in (0.0, -0.3, -0.8)}
+    line = {gain: _run("L", gain, FINE) for gain in (0.0, -0.61, -6.1)}
+    rates = [f"{run.peak_rate:.3g}" for run in line.values()]
+    searched = "the start was searched for so that this happens"
+    return [
+        *(
+            _claim(
+                figure,
+                f"λ = 0: least det(J Jᵀ) on the {name}",
+                "close to 0",
+                f"{_least(run):.2g} at {_when(run):.3g} s, from {run.determinant[0]:.2g}",
+                _least(run) < 0.02 * run.determinant[0],
+                f"track(arm, papers.sanchez.thesis_{name}(), STARTS['{start}'], gain=0, dt=0.002)",
+                searched,
+            )
+            for figure, name, start, run in (
+                ("figure 5.27", "ellipse", "E", ellipse[0.0]),
+                ("figure 5.28", "line", "L", line[0.0]),
+            )
+        ),
+        _claim(
+            "section 5.1.1",
+            "λ = -.3 and -.8 on the ellipse",
+            "similar results",
+            f"least det(J Jᵀ) {', '.join(f'{_least(run):.2g}' for run in ellipse.values())} with λ = 0, -.3, -.8",
+            _least(ellipse[0.0]) < _least(ellipse[-0.3]) < _least(ellipse[-0.8]),
+            "track(arm, papers.sanchez.thesis_ellipse(), STARTS['E'], gain=-.8, dt=0.002)",
+        ),
+        _claim(
+            "section 5.1.1",
+            "λ = -.61 and -6.1 on the line",
+            "similar results",
+            f"least det(J Jᵀ) {', '.join(f'{_least(run):.2g}' for run in line.values())} with λ = 0, -.61, -6.1, and "
+            f"rates up to {', '.join(rates)} rad/s",
+            _least(line[-6.1]) > 3.0 * _least(line[0.0]) and line[-6.1].peak_rate > 5.0 * line[0.0].peak_rate,
+            "track(arm, papers.sanchez.thesis_line(), STARTS['L'], gain=-6.1, dt=0.002)",
+            "the determinant is larger, but the joints would have to run through their turns: a local law fails here. "
+            "Which gain the thesis means is not clear: its list of figures has -.61 once and -6.1 elsewhere",
+            "special case",
+        ),
+    ]
+
+
+# ---- random starts -----------------------------------------------------------------------------------------------
+
+
+def random_starts(path: str, count: int, seed: int = 0) -> Array:
+    """Random postures (count, 8) of the thesis' arm whose tips are at the start of one of its paths.
+
+    Joints are drawn evenly from all angles and brought to the point by Newton's method; the orientation is what comes
+    of it.
+
+    Example:
+        >>> import chainrule as cr
+        >>> q = random_starts("arc", 5)
+        >>> cr.load("sanchez_8r").position(q).round(9)[:2].tolist()
+        [[0.25, 0.05, -0.25], [0.25, 0.05, -0.25]]
+    """
+    arm = _arm()
+    point = PATHS[path]().sample([0.0], "position").held[0]
+    q = np.random.default_rng(seed).uniform(-math.pi, math.pi, (2 * count, arm.n))
+    for _ in range(60):
+        away = point - arm.position(q)
+        jacobian = arm.jacobian(q, task="position")
+        turned = np.swapaxes(jacobian, 1, 2)
+        change = (turned @ np.linalg.solve(jacobian @ turned + 1e-12 * np.eye(3), away[..., None]))[..., 0]
+        q = q + change * np.minimum(1.0, 0.5 / np.maximum(np.abs(change).max(axis=1, keepdims=True), 1e-300))
+    near = np.linalg.norm(arm.position(q) - point, axis=1) < 1e-10
+    wrapped: Array = np.remainder(q[near] + math.pi, 2.0 * math.pi) - math.pi
+    return wrapped[:count]
+
+
+@cache
+def _population(path: str, count: int) -> Batch:
+    return track_batch(
+        _arm(),
+        PATHS[path](),
+        random_starts(path, count),
+        [0.0, -0.19, -2.0],
+        2.0 / COARSE,
+        criterion=ROOT,
+        feedback=0.0,
+    )
+
+
+def _shares(path: str, count: int) -> tuple[Array, Array, Array]:
+    """Of gains -.19 and -2 the shares that keep farther away, that need lower rates; of all three, that get lost."""
+    found = _population(path, count)
+    w, peak = found.min_manipulability[..., 0], found.peak_rate[..., 0]
+    lost = found.diverged[..., 0] | ~(found.worst_position_error[..., 0] < LOST)
+    farther = ((w[:, 1:] > w[:, :1]) & ~lost[:, 1:]).mean(axis=0)
+    slower = ((peak[:, 1:] < peak[:, :1]) & ~lost[:, 1:]).mean(axis=0)
+    return farther, slower, lost.mean(axis=0)
+
+
+def _random() -> list[Row]:
+    farther, slower, lost = _shares("arc", MANY)
+    how = f"track_batch(arm, thesis_arc(), random_starts('arc', {MANY}), [0, -.19, -2], dt=2/{COARSE}, feedback=0)"
+    found = _population("arc", MANY)
+    near = float((found.min_manipulability[:, 0, 0] ** 2 < 5e-5).mean())
+    found_rows = [
+        _claim(
+            "figure 5.9",
+            f"λ = 0 from {MANY} random starts",
+            "close to a singularity",
+            f"det(J Jᵀ) falls below 5e-5, as from A, B and C, in {100 * near:.0f} %",
+            0.0 < near < 0.5,
+            how,
+            "starts that nobody selected, each holding its own orientation; most never come so near",
+            "special case",
+        ),
+        _claim(
+            "figure 5.12",
+            f"λ = -2 from {MANY} random starts on the arc",
+            "singularity avoidance occurs and is expected",
+            f"{100 * farther[1]:.0f} % keep farther away than with λ = 0, {100 * slower[1]:.0f} % need lower rates, "
+            f"{100 * lost[2]:.1f} % lose the path",
+            0.6 < farther[1] < 0.95 and slower[1] < 0.5,
+            how,
+            "what the selected starts A, B, C show holds for most starts, not for all: a local law may climb to a "
+            "place from which the path leads nearer to a singularity",
+            "special case",
+        ),
+        _claim(
+            "figure 5.13",
+            f"λ = -.19 from {MANY} random starts on the arc",
+            "singularity avoidance occurs and is expected",
+            f"{100 * farther[0]:.0f} % keep farther away, {100 * slower[0]:.0f} % need lower rates",
+            0.6 < farther[0] < 0.95 and slower[0] > slower[1],
+            how,
+            "less is gained by each than with λ = -2, but the joints move less for it",
+            "special case",
+        ),
+    ]
+    for path in ("ellipse", "line"):
+        farther, slower, lost = _shares(path, FEWER)
+        found_rows.append(
+            _claim(
+                "section 5.1.1",
+                f"λ = -2 from {FEWER} random starts on the {path}",
+                "similar results",
+                f"{100 * farther[1]:.0f} % keep farther away and stay on the path; {100 * lost[0]:.0f} % lose it with "
+                f"λ = 0, {100 * lost[2]:.0f} % with λ = -2",
+                lost[2] > 0.1,
+                f"track_batch(arm, thesis_{path}(), random_starts('{path}', {FEWER}), [0, -2], ...)",
+                f"lost: the tip off by {LOST} m or a rate above half a turn in a step. The {path} asks for more than "
+                "the arc does",
+                "special case",
+            )
+        )
+    return found_rows
 
 
 # ---- figures -----------------------------------------------------------------------------------------------------
@@ -759,3 +987,28 @@ def _sign(gain: float) -> str:
 
 def _named(runs: Mapping[str, Run]) -> dict[str, Run]:
     return {f"start {name}": run for name, run in runs.items()}
+
+
+def draw_starts() -> Figure:
+    """Random starts on the arc, with and without gain, and the selected ones among them."""
+    from chainrule.plot.redundancy import draw_population
+
+    found = _population("arc", MANY)
+    w = found.min_manipulability[..., 0]
+    marked = {start: (_run(start, 0.0).min_manipulability, _run(start, -2.0).min_manipulability) for start in ON["arc"]}
+    share = 100.0 * float((w[:, 2] > w[:, 0]).mean())
+    title = f"Of {MANY} random starts on the arc {share:.0f} % keep farther from singularities with λ = −2 than without"
+    return draw_population(w[:, 0], w[:, 2], ("λ = 0", "λ = −2"), marked, title)
+
+
+def draw_gains() -> Figure:
+    """Which gains go with which steps on the arc from A, and the bound estimated from a run with a small gain."""
+    from chainrule.plot.redundancy import draw_stability
+    from chainrule.redundancy.stability import decay
+
+    found = _map()
+    run = _run("A", -2.0, FINE)
+    fastest = float(np.median(decay(Stepper(_arm(), Law({ROOT: -1.0})), run.q[::20], run.held[::20])))
+    worst = np.where(found.diverged[0], np.nan, found.worst_position_error[0])
+    order = np.argsort(found.dt)
+    return draw_stability(GAINS, found.dt[order], worst[:, order], lost=LOST, bound=-2.0 / (fastest * found.dt[order]))
