@@ -43,6 +43,8 @@ class Batch:
         dt: (d,) s.
         min_manipulability: (b, g, d) the smallest w at a sample of the run; of one that diverged until then.
         peak_rate: (b, g, d) the largest joint rate, rad/s or m/s; likewise.
+        peak_acceleration: (b, g, d) the largest change of a joint rate from sample to sample, over dt, rad/s^2 or m/s^2;
+            likewise. A gain too large for the step shows here first: the rates change sign at every sample.
         worst_position_error: (b, g, d) m; likewise.
         final_position_error: (b, g, d) m, at the end of the path; nan where the run diverged.
         final_orientation_error: (b, g, d) rad; likewise; 0 where the orientation is free.
@@ -60,6 +62,7 @@ class Batch:
     dt: Array
     min_manipulability: Array
     peak_rate: Array
+    peak_acceleration: Array
     worst_position_error: Array
     final_position_error: Array
     final_orientation_error: Array
@@ -123,8 +126,8 @@ def track_batch(
         >>> arm = cr.planar_3r(1.0, 0.5, 0.25)
         >>> path = cr.TaskPath.line((0.6, 0.3), (1.2, 0.6), duration=1.0)
         >>> start = cr.best_posture(arm, [0.6, 0.3]).q
-        >>> found = cr.track_batch(arm, path, start, gains=[0.5, 500.0], dt=[0.01, 0.0001], criterion="H")
-        >>> found.diverged[0].tolist()     # the large gain needs the small step
+        >>> found = cr.track_batch(arm, path, start, gains=[1.0, 3000.0], dt=[0.01, 0.001], criterion="H")
+        >>> (found.peak_acceleration[0] > 1e3).tolist()     # the large gain needs the small step
         [[False, False], [True, False]]
     """
     task = arm.task_of_full_rank(task)
@@ -235,7 +238,8 @@ def _simulated(
     fastest = arm.limits.velocity
     shape = (len(begin), count)
     q = np.broadcast_to(begin[:, None], (*shape, arm.n)).copy()
-    least, peak, worst = np.full(shape, np.inf), np.zeros(shape), np.zeros(shape)
+    least, peak, push, worst = np.full(shape, np.inf), np.zeros(shape), np.zeros(shape), np.zeros(shape)
+    before: Array | None = None
     last, turned = np.full(shape, np.nan), np.full(shape, np.nan)
     inside, live, when = np.ones(shape, bool), np.ones(shape, bool), np.full(shape, np.nan)
 
@@ -254,6 +258,9 @@ def _simulated(
             least[used] = np.minimum(least, step.manipulability)[used]
             peak[used] = np.maximum(peak, size)[used]
             worst[used] = np.maximum(worst, distance)[used]
+            if before is not None:
+                push[used] = np.maximum(push, np.abs(step.rates - before).max(axis=-1, initial=0.0) / dt)[used]
+            before = step.rates
             fits = ((q >= lower) & (q <= upper) & (np.abs(step.rates) <= fastest)).all(axis=-1)
             inside &= fits | ~live
             gone = live & ~(finite & (size <= bound))
@@ -267,6 +274,7 @@ def _simulated(
     return {
         "min_manipulability": least,
         "peak_rate": peak,
+        "peak_acceleration": push,
         "worst_position_error": worst,
         "final_position_error": last,
         "final_orientation_error": turned,
