@@ -125,7 +125,14 @@ def _scale(axes: Axes, view: Array, shown: Array) -> None:
     for k, letter in enumerate("xyz"):
         end = length * view[:, k]
         axes.plot([0.0, end[0]], [0.0, end[1]], color=COLOURS[f"axis_{letter}"], lw=1.4, zorder=2)
-        axes.annotate(letter, end, (3, 3), textcoords="offset points", color=COLOURS[f"axis_{letter}"], fontsize=9)
+        axes.annotate(
+            letter,
+            (float(end[0]), float(end[1])),
+            (3, 3),
+            textcoords="offset points",
+            color=COLOURS[f"axis_{letter}"],
+            fontsize=9,
+        )
     axes.annotate(
         f"axes: {readable(length)} m",
         (1.0, 0.0),
