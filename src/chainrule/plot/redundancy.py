@@ -110,7 +110,7 @@ def draw_postures(axes: Axes, run: Run, marks: Sequence[int] | None = None) -> N
     axes.plot(0.0, 0.0, "s", ms=7, color=COLOURS["ink"], zorder=4)
     even(axes, arm)
     if "x_alpha" not in arm.tasks:
-        _scale(axes, view, np.vstack([tips, [[0.0, 0.0]]]))
+        _scale(axes, view)
     box = axes.dataLim
     axes.update_datalim([(box.x0 - 0.3 * max(box.width, box.height), box.y0)])  # room for the legend
     axes.autoscale_view()
@@ -118,9 +118,9 @@ def draw_postures(axes: Axes, run: Run, marks: Sequence[int] | None = None) -> N
     axes.legend(frameon=False, fontsize=8.5, loc="upper left", handlelength=2.6, borderaxespad=0.1)
 
 
-def _scale(axes: Axes, view: Array, shown: Array) -> None:
+def _scale(axes: Axes, view: Array) -> None:
     """The base's axes x, y, z, each of a round length that is written beside."""
-    size = float(np.ptp(shown, axis=0).max())
+    size = max(axes.dataLim.width, axes.dataLim.height)
     length = next(s * 10.0**e for e in range(4, -6, -1) for s in (5, 2, 1) if s * 10.0**e <= 0.3 * size or e == -5)
     for k, letter in enumerate("xyz"):
         end = length * view[:, k]
@@ -149,10 +149,10 @@ def _plain(axes: Axes, run: Run) -> None:
     axes.set_xlim(float(run.t[0]), float(run.t[-1]) if len(run.t) > 1 else float(run.t[0]) + 1.0)
 
 
-def _scaled(axes: Axes, values: Array) -> None:
-    """A logarithmic scale where positive values span more than a decade or two, down to a millionth of the largest."""
+def _scaled(axes: Axes, values: Array, span: float = SPAN) -> None:
+    """A logarithmic scale where positive values differ by more than ``span``, down to a millionth of the largest."""
     above = values[np.isfinite(values) & (values > 0.0)]
-    if not above.size or float(above.max()) < SPAN * float(above.min()):
+    if not above.size or float(above.max()) <= span * float(above.min()):
         axes.set_ylim(0.0, 1.1 * float(above.max(initial=0.0)) or 1.0)
         return
     high = float(above.max())
@@ -214,7 +214,7 @@ def _errors(axes: Axes, run: Run) -> None:
     shown = [k for k in range(4) if np.nanmax(run.frame_errors[:, k], initial=0.0) > 0.0]
     for k in shown:
         axes.plot(run.t, run.frame_errors[:, k], lw=1.5, label=FRAME[k], **line_look(k))
-    _scaled(axes, run.frame_errors)
+    _scaled(axes, run.frame_errors, span=1.0)
     axes.set_title("errors of the tip's axes and place", loc="left")
     if shown:
         axes.legend(frameon=False, fontsize=8.5, ncols=2, loc="lower right", handlelength=2.4)

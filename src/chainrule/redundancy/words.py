@@ -118,8 +118,8 @@ def comparison_finding(runs: Mapping[str, Run]) -> str:
     )
 
 
-def comparison_table(runs: Mapping[str, Run], costs: Sequence[float | None]) -> Table:
-    """One row for each run, with what a step of it cost, in s."""
+def comparison_table(runs: Mapping[str, Run], costs: Sequence[float] = ()) -> Table:
+    """One row for each run; with ``costs`` also what a step of it cost, in s."""
     arm = next(iter(runs.values())).arm
     with_torque = any(run.torque is not None for run in runs.values())
     columns = [
@@ -130,16 +130,16 @@ def comparison_table(runs: Mapping[str, Run], costs: Sequence[float | None]) -> 
         *([Column("peak_torque", "peak torque", torque_unit(arm))] if with_torque else []),
         Column("worst_position_error", "worst error", "mm"),
         Column("final_position_error", "final error", "mm"),
-        Column("step_cost", "cost of a step", "µs"),
+        *([Column("step_cost", "cost of a step", "µs")] if costs else []),
     ]
     rows = []
-    for (name, run), cost in zip(runs.items(), costs, strict=True):
+    for k, (name, run) in enumerate(runs.items()):
         stopped = f"stopped at {readable(float(run.t[-1]), 3)} s"
         cells: list[Cell] = [name, run.status if run.status == "complete" else stopped]
         cells += [rounded(run.min_manipulability), rounded(run.peak_rate)]
         cells += [None if run.peak_torque is None else rounded(run.peak_torque)] if with_torque else []
         cells += [rounded(1000.0 * run.worst_position_error), rounded(1000.0 * run.final_position_error)]
-        rows.append((*cells, None if cost is None else rounded(1e6 * cost, 2)))
+        rows.append((*cells, *([rounded(1e6 * costs[k], 2)] if costs else [])))
     return Table("", tuple(columns), tuple(rows))
 
 
