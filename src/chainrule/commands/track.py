@@ -117,6 +117,8 @@ def track(
     if forecast:
         _forecast(loaded, desired, posture, gain, options, as_json)
         return
+    if chosen == ("pseudoinverse",) and gain is not None:
+        raise InputError("--gain: 'pseudoinverse' has none; gradient_projection and limited take one")
     with progressing() as progress:
         posture = _settled(loaded, desired, posture, gain, options, chosen)
         found = {name: _followed(loaded, desired, posture, name, gain, options, progress) for name in chosen}
