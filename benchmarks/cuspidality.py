@@ -64,8 +64,14 @@ def all_postures(count: int) -> tuple[list[Way], str]:
     radii = np.stack([at[:, 0] ** 2 + at[:, 1] ** 2, at[:, 2]], axis=-1)
     quartics = np.ascontiguousarray(arm.quartic(radii)[:, ::-1])
     few = min(count, 2000)
-    parameters, generated = np.array(arm.orthogonal), evaluator("postures", ORTHOGONAL_3R)
+    parameters, generated = arm.values, evaluator("postures")
     out = generated(parameters, at)
+
+    def ours() -> tuple[Array, Array]:
+        angles, room, _, _, number, _ = generated(parameters, at, out=out)
+        larger = np.repeat(room >= room[:, ::-1], 2, axis=-1)
+        valid = (number[:, None] == 4.0) | ((number[:, None] == 2.0) & larger)
+        return summed(np.where(valid[..., None], angles, np.nan))
 
     def roots() -> list[Array]:
         return [np.roots(quartic) for quartic in quartics[:few]]
@@ -74,8 +80,13 @@ def all_postures(count: int) -> tuple[list[Way], str]:
     companions[:, 1:, :3] = np.eye(3)
     companions[:, 0] = -quartics[: len(companions), 1:] / quartics[: len(companions), :1]
     ways = [
-        Way("chainrule, cuspidality.postures", len(at), lambda: postures(arm, at), lambda: summed(postures(arm, at).q)),
-        Way("chainrule, the generated function", len(at), lambda: generated(parameters, at, out=out)),
+        Way("chainrule, the generated function", len(at), lambda: generated(parameters, at, out=out), ours),
+        Way(
+            "chainrule, cuspidality.postures: sorted, doubtful points decided exactly",
+            len(at),
+            lambda: postures(arm, at),
+            lambda: summed(postures(arm, at).q),
+        ),
         Way("numpy.roots of the quartic alone, a loop", few, roots, lambda: of_roots(roots()), ROOTS),
         Way(
             "numpy.linalg.eigvals of all companion matrices",

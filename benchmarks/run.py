@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
 from importlib import import_module
 from importlib.metadata import PackageNotFoundError, version
@@ -33,6 +33,10 @@ RATIO_OF_FLOAT = 1.6
 GENERATED_S, CACHED_S, IMPORT_S = 5.0, 0.05, 0.3
 
 Progress = Callable[[str], None]
+
+#: Questions by topic; the other topics are ``kernels`` and ``start-up``.
+QUESTIONS = {"planar": planar, "cuspidality": cuspidality, "self-motion": self_motion}
+TOPICS = ("kernels", *QUESTIONS, "start-up")
 
 
 @dataclass(frozen=True)
@@ -83,8 +87,10 @@ def compare(case: Case, everyone: list[Contender]) -> float:
     return worst
 
 
-def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Row], list[str], dict[str, Any]]:
-    """Measure everything.
+def run(
+    effort: Effort, progress: Progress = lambda line: None, topics: Collection[str] = TOPICS
+) -> tuple[list[Row], list[str], dict[str, Any]]:
+    """Measure everything, or some :data:`TOPICS`.
 
     Returns:
         The rows, the notes under them, and the facts of the machine.
@@ -95,11 +101,12 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
     singles: list[Row] = []
     parts: list[Row] = []
     asked: list[Row] = []
-    start = _startup_rows(effort, progress) if effort.starts else []  # before pinning: two types compile side by side
+    timed = effort.starts and "start-up" in topics
+    start = _startup_rows(effort, progress) if timed else []  # before pinning: two types compile side by side
     affinity = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else None
     facts["core"] = pin_to_one_core()
     try:
-        for case in cases():
+        for case in cases() if "kernels" in topics else ():
             progress(f"{case.title}: comparing")
             q = case.configurations(effort.batch)
             everyone, missing = contenders(case, q)
@@ -112,7 +119,7 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
             if effort.parts:
                 progress(f"{case.title}: taking ours apart")
                 parts += _part_rows(case, q, effort)
-        asking = (part.questions(effort.batch) for part in (planar, cuspidality, self_motion))
+        asking = (part.questions(effort.batch) for topic, part in QUESTIONS.items() if topic in topics)
         for section, ways, note in chain.from_iterable(asking):
             progress(f"{section}: comparing and timing")
             worst = planar.agreement(ways)

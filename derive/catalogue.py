@@ -16,13 +16,16 @@ from typing import Any
 
 from chainrule.derive import (
     chain,
+    dynamics,
     manipulability,
     nodes_3r,
     orthogonal_3r,
     orthogonal_designs,
     planar,
     planar_3r,
+    planar_dynamics,
     planar_motion,
+    quartic,
     redundancy,
     regional_3r,
     regional_postures,
@@ -55,8 +58,8 @@ STANDING: dict[Model, tuple[str, ...]] = {
 
 #: Groups that are made on first use, although they belong to embedded arms: what the name of a group begins with.
 #: Those that are generated all the same, by model.
-FIRST_USE = ("redundancy", "priority")
-SHIPPED: dict[str, tuple[str, ...]] = dict.fromkeys(("panda", "sanchez_8r"), ("redundancy_pose",))
+FIRST_USE = ("redundancy", "priority", "dynamics")
+SHIPPED: dict[str, tuple[str, ...]] = dict.fromkeys(("panda", "sanchez_8r"), ("redundancy_pose", "dynamics"))
 
 #: Models with results in closed form: ``minors(arm)`` of the position Jacobian, perhaps ``survey(arm)`` and the like.
 CLOSED_FORMS: dict[str, ModuleType] = {"planar_rrr": planar_3r, "orthogonal_3r": orthogonal_3r}
@@ -249,6 +252,9 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: s.right_angle(regional_3r.cusp_polynomial)),
     Entry("cuspidality", lambda s: regional_3r.aspect_polynomial(s.regional)),
     Entry("cuspidality", lambda s: regional_3r.determinant_terms(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.determinant(s.regional)),
+    Entry("cuspidality", lambda s: regional_3r.second_axis(s.regional)),
+    Entry("cuspidality", lambda s: quartic.quartic_invariants() if s.family is regional_3r else None),
     Entry("cuspidality", lambda s: regional_3r.triple_point(s.regional)),
     Entry("cuspidality", lambda s: s.right_angle(regional_3r.triple_point)),
     Entry("cuspidality", lambda s: regional_3r.image(s.regional)),
@@ -256,12 +262,13 @@ CATALOGUE: tuple[Entry, ...] = (
     Entry("cuspidality", lambda s: regional_3r.shoulder(s.regional)),
     Entry("cuspidality", lambda s: regional_3r.unturned(s.regional)),
     Entry("cuspidality", lambda s: regional_postures.number_of_postures(s.regional)),
-    Entry("cuspidality", lambda s: regional_postures.postures(s.regional)),
+    Entry("cuspidality", lambda s: regional_postures.postures(s.regional) if s.family is regional_3r else None),
     *(Entry("cuspidality", partial(postures_in_pairs, parallel=parallel)) for parallel in (False, True)),
     Entry("cuspidality", lambda s: orthogonal_designs.classify() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.sides_of_surfaces() if s.closed is orthogonal_3r else None),
     Entry("cuspidality", lambda s: orthogonal_designs.exact_sides() if s.closed is orthogonal_3r else None),
     *(Entry("cuspidality", partial(sweep, make=make)) for make in self_motion_sweep.EVERY),
+    Entry("dynamics", lambda s: (planar_dynamics if s.planar else dynamics).inverse_dynamics(s.arm)),
     *(
         Entry(f"{kind}_{task}", partial(make, task=task))
         for kind, make in (("redundancy", redundancy_step), ("priority", priority_step))
@@ -284,12 +291,13 @@ def groups(model: Model) -> tuple[str, ...]:
 def first_use(model: Model) -> tuple[str, ...]:
     """The groups of a model that are made on first use: for the :data:`SHIPPED` ones that has been done.
 
-    For each task with no more rows than joints ``redundancy_<task>`` (the step along it), and where joints are to
-    spare ``priority_<task>`` (with a secondary task).
+    For each task with no more rows than joints ``redundancy_<task>`` (the step along it), where joints are to spare
+    ``priority_<task>`` (with a secondary task), and ``dynamics``.
     """
     n, tasks = len(model.kinds), FAMILIES[model.family][1]
     steps = (f"redundancy_{task}" for task, rows in tasks.items() if rows <= n)
-    return (*steps, *(f"priority_{task}" for task, rows in tasks.items() if rows < n))
+    more = (f"priority_{task}" for task, rows in tasks.items() if rows < n)
+    return (*steps, *more, *(("dynamics",) if tasks else ()))
 
 
 def generated(model: Model) -> tuple[str, ...]:
@@ -316,21 +324,21 @@ def extras(model: Model) -> tuple[str, ...]:
 def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
     """The modules that a group's formulas are written in."""
     family, tasks = FAMILIES[model.family]
+    closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     if group in continuations(model):
         return (family, self_motion)
     if group in first_use(model):
-        closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
-        return (family, *closed, redundancy)
+        moving = planar_dynamics if family is planar else dynamics
+        return (family, *closed, moving if group == "dynamics" else redundancy)
     if group in extras(model):
         ratios = speed_ratio if len(model.kinds) == 3 else speed_ratio_4
         known: dict[str, tuple[ModuleType, ...]] = {
             "motion": (planar_motion,),
             "speed_ratio": (ratios,),
             "self_motion": (self_motion_planar_3r,),
-            "cuspidality": (nodes_3r, orthogonal_designs, regional_postures, self_motion_sweep),
+            "cuspidality": (nodes_3r, orthogonal_designs, quartic, regional_postures, self_motion_sweep),
         }
         return known.get(group, (family,))
-    closed = [CLOSED_FORMS[model.name]] if model.name in CLOSED_FORMS else []
     general = [manipulability] if group in tasks else []
     return (family, *closed, *general)
 

@@ -61,6 +61,7 @@ class Steps:
     def __init__(self, steps: Iterable[Step] = ()) -> None:
         self.steps = list(steps)
         self._names: dict[str, int] = {}
+        self._taken = {step.symbol.name for step in self.steps}
         self._known: dict[Expression, Expression] = {}
 
     def let(self, name: str, expression: Expression) -> Expression:
@@ -74,8 +75,12 @@ class Steps:
         if expression in self._known:
             return self._known[expression]
         count = self._names.get(name, 0)
-        self._names[name] = count + 1
         symbol = sp.Symbol(name if count == 0 else f"{name}_{count}", real=True)
+        while symbol.name in self._taken:
+            count += 1
+            symbol = sp.Symbol(f"{name}_{count}", real=True)
+        self._names[name] = count + 1
+        self._taken.add(symbol.name)
         self.steps.append(Step(symbol, expression))
         self._known[expression] = symbol
         return symbol

@@ -32,6 +32,7 @@ C, S, T = sp.symbols("c3 s3 t", real=True)
 C2, S2 = sp.symbols("c2 s2", real=True)
 ELBOW = Input("elbow", (2,), (C, S))
 SHOULDER = Input("shoulder", (2,), (C2, S2))
+_PARTS = ("f1", "f2", "g3", "g4", "gw")
 TARGET = Input("target", (2,), sp.symbols("rho_squared z", real=True))
 
 NAMES = ("ca2", "sa2", "ca3", "sa3", "d2", "d3", "d4", "r2", "r3")
@@ -279,10 +280,11 @@ def aspect_polynomial(where: Arm) -> Program:
     )
 
 
-def determinant_parts(where: Arm) -> tuple[Expression, Expression, Expression]:
-    """a, b, c of det J = a c2 + b s2 + c, the determinant of the position Jacobian."""
-    f1, f2, _ = where.point
-    g3, g4, gw = where.slopes
+def determinant_parts(where: Arm, steps: Steps | None = None) -> tuple[Expression, Expression, Expression]:
+    """a, b, c of det J = a c2 + b s2 + c, the determinant of the position Jacobian; with ``steps`` in named steps."""
+    f1, f2, g3, g4, gw = (*where.point[:2], *where.slopes)
+    if steps is not None:
+        f1, f2, g3, g4, gw = (steps.let(n, e) for n, e in zip(_PARTS, (f1, f2, g3, g4, gw), strict=True))
     d2, d4, sa2 = where.d2, where.d4, where.sa2
     return d4 * (d2 * g4 * f2 + sa2 * g3 * f1), d4 * (d2 * g4 * f1 - sa2 * g3 * f2), d4 * d2 * sa2 * gw
 
@@ -290,16 +292,41 @@ def determinant_parts(where: Arm) -> tuple[Expression, Expression, Expression]:
 def determinant_terms(where: Arm) -> Program:
     """a, b, c of det J at given c3, s3."""
     steps = Steps()
-    f1, f2 = (steps.let(f"f{k}", f) for k, f in zip((1, 2), where.point[:2], strict=True))
-    g3, g4, gw = (steps.let(name, g) for name, g in zip(("g3", "g4", "gw"), where.slopes, strict=True))
-    d2, d4, sa2 = where.d2, where.d4, where.sa2
-    terms = (d4 * (d2 * g4 * f2 + sa2 * g3 * f1), d4 * (d2 * g4 * f1 - sa2 * g3 * f2), d4 * d2 * sa2 * gw)
+    terms = determinant_parts(where, steps)
     return Program(
         "determinant_terms",
         "a, b, c of det J = a cos(theta2) + b sin(theta2) + c, from cos(theta3) and sin(theta3)",
         (where.inputs, ELBOW),
         tuple(steps.steps),
         (Output("terms", (3,), terms),),
+    )
+
+
+def determinant(where: Arm) -> Program:
+    """det J at given c2, s2, c3, s3."""
+    steps = Steps()
+    a, b, c = determinant_parts(where, steps)
+    return Program(
+        "determinant",
+        "det J, the determinant of the position Jacobian",
+        (where.inputs, SHOULDER, ELBOW),
+        tuple(steps.steps),
+        (Output("determinant", (), (a * C2 + b * S2 + c,)),),
+    )
+
+
+def second_axis(where: Arm) -> Program:
+    """f1 as a polynomial in t^2, t = tan(theta3 / 2): where it vanishes and f2 does too, the point is on axis 2."""
+    steps = Steps()
+    constant, linear, square = in_half_tangent(where.point[0], 1)
+    if linear != 0:
+        raise ValueError("f1 has a term in sin(theta3)")
+    return Program(
+        "second_axis",
+        "coefficients of 1 and t^2 in (1 + t^2) f1, t = tan(theta3/2), which is 0 where the point is on axis 2",
+        (where.inputs,),
+        tuple(steps.steps),
+        (Output("polynomial", (2,), (constant, square)),),
     )
 
 

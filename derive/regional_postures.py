@@ -18,12 +18,23 @@ positive (the third always is).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
-from chainrule.derive.program import CopySign, Expression, GuardedInverse, Input, Output, Program, Steps, Where
+from chainrule.derive.program import (
+    CopySign,
+    Expression,
+    GuardedInverse,
+    Input,
+    Output,
+    Program,
+    Steps,
+    Where,
+    exact,
+)
 from chainrule.derive.regional_3r import TARGET, Arm, C, S, mismatch, named, reduced
 
 _0, _1 = sp.Integer(0), sp.Integer(1)
@@ -138,8 +149,8 @@ def number_of_postures(arm: Arm) -> Program:
 
 
 def choose(mask: Expression, yes: Expression, no: Expression) -> Expression:
-    """``yes`` where the mask is 1, ``no`` where it is 0."""
-    return Where(mask, yes) + Where(1 - mask, no)
+    """``yes`` where the mask is 1, ``no`` where it is 0; both are finite. Products vectorise, branches may not."""
+    return mask * yes + (1 - mask) * no
 
 
 def positive(expression: Expression) -> Expression:
@@ -282,8 +293,29 @@ def _posture(
     pz = steps.let("pz", arm.sa2 * b + arm.ca2 * (f3 + arm.r2))
     miss = steps.let("miss", sp.sqrt(px**2 + py**2) - rho)
     closure = steps.let("closure", sp.sqrt(miss**2 + (pz - z) ** 2))
-    angles = [sp.atan2(y * px - x * py, x * px + y * py), sp.atan2(s2, c2), sp.atan2(here[S], here[C])]
-    return angles, closure
+    cosine, sine = steps.let("cos1", x * px + y * py), steps.let("sin1", y * px - x * py)
+    first = angle(steps, cosine, sine, steps.let("size1", sp.sqrt(cosine**2 + sine**2)))
+    return [first, angle(steps, c2, s2, _1), angle(steps, here[C], here[S], _1)], closure
+
+
+def angle(steps: Steps, c: Expression, s: Expression, length: Expression) -> Expression:
+    """atan2(s, c), given (c^2 + s^2)^(1/2), in operations that a compiler vectorises: a library's atan2 is none.
+
+    The angle from the nearest axis is at most pi / 4; tan(phi / 2) = sin(phi) / (1 + cos(phi)) halves it, and
+    tan(phi / 4) = tan(phi / 2) / (1 + (1 + tan(phi / 2)^2)^(1/2)) once more. Of what is left, at most pi / 16, the arc
+    tangent's series is exact to 1e-18 after eleven terms.
+    """
+    a, b = steps.let("across", sp.Max(c, -c)), steps.let("up", sp.Max(s, -s))
+    half = steps.let("half", sp.Min(a, b) * GuardedInverse(sp.Max(a, b) + length))
+    quarter = steps.let("quarter", half / (1 + sp.sqrt(1 + half**2)))
+    square = steps.let("square", quarter**2)
+    series: Expression = _0
+    for k in range(10, -1, -1):
+        series = steps.let("series", sp.Rational((-1) ** k, 2 * k + 1) + square * series)
+    turned = steps.let("turned", 4 * quarter * series)
+    turn = exact(math.pi)
+    turned = steps.let("turned", choose(positive(b - a), turn / 2 - turned, turned))
+    return CopySign(choose(positive(-c), turn - turned, turned), s)
 
 
 def postures_in_pairs(arm: Arm, parallel: bool) -> Program:

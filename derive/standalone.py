@@ -16,6 +16,7 @@ from chainrule.description import Description, identifier
 
 DIGITS = 40
 COUNT = 3  # configurations in the test programs
+SAMPLED = {"mobility": (0.5, 1.5)}  # ranges of the inputs in the test programs; from -1 to 1 else
 LIMIT = 512  # times epsilon: the test programs' bound on the error relative to the largest entry
 
 
@@ -23,21 +24,27 @@ def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], N
     """Every file of the folder, by name."""
     model, unit = arm.model, identifier(arm.name)
     progress(f"deriving {arm.name}")
-    made = make_unit(Places.here(), model, catalogue.groups(model), name=unit, prefix=unit, shared="")
+    task = "pose" if model.family == "serial" else "position"
+    stepping = f"redundancy_{task}" in catalogue.first_use(model)
+    groups = (*catalogue.groups(model), *((f"redundancy_{task}",) if stepping else ()), "dynamics")
+    made = make_unit(Places.here(), model, groups, name=unit, prefix=unit, shared="")
     progress("computing reference values")
-    functions = [f for group in catalogue.groups(model) for f in catalogue.functions(model, group)]
+    functions = [f for group in groups for f in catalogue.functions(model, group)]
     context = {
         "unit": unit,
         "digest": made.record["digest"],
         "digits": DIGITS,
         "count": COUNT,
         "limit": LIMIT,
+        "step": _step(arm, task, made.kernels) if stepping else None,
         **_reference_values(arm, functions, made.kernels),
     }
     files: dict[str, str] = {}
     if "c" in targets:
         files |= {name: text for name, text in made.files.items() if not name.endswith(".py")} | headers(Places.here())
         files[f"{unit}_float.c"] = emit.render("float.c.j2", context)
+        if stepping:
+            files |= {f"{unit}_step.{end}": emit.render(f"step.{end}.j2", context | context["step"]) for end in "hc"}
         files[f"test_{unit}.c"] = emit.render("test.c.j2", context)
     if "python" in targets:
         files[f"{unit}.py"] = made.files[f"{unit}.py"]
@@ -59,6 +66,29 @@ def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], N
     return files
 
 
+def _step(arm: Description, task: str, kernels: Sequence[Kernel]) -> dict[str, Any]:
+    """What the templates of the step along the default task take besides the unit's name and digest."""
+    kernel = next(kernel for kernel in kernels if kernel.name == f"step_{task}")
+    ports = {port.name: port for port in kernel.inputs}
+    limits = [joint.middle_and_narrowness for joint in arm.joints]
+    names = arm.model.parameter_names
+    rows = [[1.0] * arm.n, [0.0] * arm.n, [middle for middle, _ in limits], [narrow for _, narrow in limits]]
+    settings = ports["settings"].labels[:-1]  # all but dt
+    return {
+        "task": task,
+        "joints": arm.n,
+        "rows": ports["velocity"].size,
+        "held": emit.port_view(ports["held"])["dims"],
+        "held_words": " (homogeneous, row by row)" if len(ports["held"].shape) == 2 else "",
+        "ports": [emit.port_view(port) for port in kernel.inputs],
+        "settings": settings,
+        "parameters": names,
+        "names": ", ".join(names),
+        "start": [repr(0.0)] * len(settings),
+        "rows_of_start": [[repr(float(x)) for x in row] for row in [*rows, *([arm.model.parameters] if names else [])]],
+    }
+
+
 def _one_line(text: str) -> str:
     """Free text from a file as one line of Markdown that is only text."""
     words = " ".join("".join(c if c.isprintable() else " " for c in text).split())
@@ -72,7 +102,9 @@ def _reference_values(arm: Description, functions: list[Function], kernels: Sequ
     samples = []
     for q in _configurations(arm, functions):
         fixed = {"q": q, "parameters": list(arm.model.parameters)}
-        others = {n: [round(generator.uniform(-1.0, 1.0), 6) for _ in p.symbols] for n, p in ports.items()}
+        others = {
+            n: [round(generator.uniform(*SAMPLED.get(n, (-1.0, 1.0))), 6) for _ in p.symbols] for n, p in ports.items()
+        }
         samples.append({name: fixed.get(name, others[name]) for name in ports})
     inputs = [
         {"name": name, "size": len(samples[0][name]), "rows": [_row(s[name]) for s in samples]} for name in samples[0]

@@ -97,7 +97,7 @@ def embedded(places: Places) -> dict[str, Description]:
 def planned(arms: Iterable[Description]) -> dict[str, tuple[Model, str]]:
     """The units that the given arms need, and the standing ones: model and group by unit name.
 
-    Arms of one family share their units.
+    Arms of one family share their units. Groups made on first use are there where :data:`catalogue.SHIPPED` says.
     """
     from chainrule.derive import catalogue
 

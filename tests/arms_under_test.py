@@ -155,13 +155,18 @@ def ports_of(program: Program | Kernel) -> list[tuple[str, Sequence[int]]]:
     return [(port.name, port.shape) for port in program.inputs]
 
 
-def emitted(arm: cr.Arm, group: str) -> dict[str, Callable[..., Any]]:
+def written(arm: cr.Arm, group: str) -> dict[str, Callable[..., Any]]:
     """The functions of one group of any arm: derived now, written as NumPy code, and that code executed."""
     model = arm.description.model
     kernels = [lower(function) for function in catalogue.functions(model, group)]
     unit = f"{model.name}_{group}"
     space: dict[str, Any] = {}
     exec(emit.unit(unit, model.name, unit, kernels, "0" * 64)[f"{unit}.py"], space)
+    return {k.name: space[k.name] for k in kernels}
+
+
+def emitted(arm: cr.Arm, group: str) -> dict[str, Callable[..., Any]]:
+    """The functions that :func:`written` makes, of configurations only."""
 
     def quiet(code: Callable[..., Any]) -> Callable[..., Any]:
         def call(q: Any) -> Any:
@@ -170,7 +175,7 @@ def emitted(arm: cr.Arm, group: str) -> dict[str, Callable[..., Any]]:
 
         return call
 
-    return {k.name: quiet(space[k.name]) for k in kernels}
+    return {name: quiet(code) for name, code in written(arm, group).items()}
 
 
 def arguments(arm: cr.Arm, q: Any) -> list[Any]:

@@ -82,6 +82,11 @@ def test_inertia():
     assert arm.inertias == (Inertia(1.0, (0.0, 0.0, 0.0), ((1.0, 0.25, 0.0), (0.25, 1.0, 0.0), (0.0, 0.0, 1.0))),)
 
 
+def test_inertia_in_the_plane():
+    arm = parsed(HEAD + PLANAR + "[[joints]]\n[[joints]]\n[joints.inertia]\n" + BODY)
+    assert arm.inertias == (None, Inertia(1.0, (0.0, 0.0, 0.0), ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))))
+
+
 def test_byte_order_mark_and_windows_line_ends():
     assert schema.from_toml(b"\xef\xbb\xbf" + (HEAD + DH).replace("\n", "\r\n").encode()).kinds == "R"
 
@@ -143,10 +148,6 @@ BAD = {
     "joint name twice": (
         HEAD + PLANAR + "[[joints]]\nname = 'a'\n[[joints]]\nname = 'a'\n",
         "joint 2: the name 'a' is used twice",
-    ),
-    "inertia of a planar arm": (
-        HEAD + PLANAR + "[[joints]]\n[joints.inertia]\n" + BODY + "[[joints]]\n",
-        "with [dh] only",
     ),
     "inertia without mass": (
         HEAD + DH + "[[joints]]\n[joints.inertia]\n" + BODY.replace("mass = 1\n", ""),

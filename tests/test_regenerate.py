@@ -33,7 +33,7 @@ UNITS = {
     "regional_3r": ("cuspidality",),
     "motion": ("rest_to_rest",),
     "puma560": ("kinematics", "position", "pose"),
-    "panda": ("kinematics", "position", "pose", "continuation_pose"),
+    "panda": ("kinematics", "position", "pose", "continuation_pose", "redundancy_pose", "dynamics"),
 }
 
 RUN = """
@@ -208,8 +208,9 @@ def test_editing_the_minors(copy):
     assert run(copy)[0] == 0
     changed = written(before, contents(copy)) - {"manifest.json"}
     planar = (f"planar_rrr_{group}" for group in (*PLANAR[:4], *FOLLOWED))
-    spatial = ("panda_position", "panda_pose", "panda_continuation_pose", "puma560_position", "puma560_pose")
-    assert changed == files_of(*planar, *spatial, "regional_3r_cuspidality")
+    spatial = ("panda_position", "panda_pose", "puma560_position", "puma560_pose")
+    following = ("panda_continuation_pose", "panda_redundancy_pose")
+    assert changed == files_of(*planar, *spatial, *following, "regional_3r_cuspidality")
 
 
 def test_editing_a_geometry(copy):

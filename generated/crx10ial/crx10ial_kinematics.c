@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 36eccbcd5a09575fa78c53e541077eaf44f646b99872fcf471ca7d9a2330bfc4.
+ * Made from templates/kernel.c.j2; inputs e62b9b6714c4b2d9bf54df0307fa9b7009309622ae35886592275a831b3c76b2.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "36eccbcd5a09575fa78c53e541077eaf44f646b99872fcf471ca7d9a2330bfc4";
+const char crx10ial_kinematics_digest[] = "e62b9b6714c4b2d9bf54df0307fa9b7009309622ae35886592275a831b3c76b2";
 #endif
 
 #define LANES 64

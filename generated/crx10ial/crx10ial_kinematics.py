@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 36eccbcd5a09575fa78c53e541077eaf44f646b99872fcf471ca7d9a2330bfc4.
+Made from templates/kernel.py.j2; inputs e62b9b6714c4b2d9bf54df0307fa9b7009309622ae35886592275a831b3c76b2.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

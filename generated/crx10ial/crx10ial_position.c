@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579.
+ * Made from templates/kernel.c.j2; inputs 92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e.
  * 1041 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "aacc2b5479f19e752f00a764e3ad6024edad01659c243aff43a695107195b579";
+const char crx10ial_position_digest[] = "92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e";
 #endif
 
 #define LANES 64

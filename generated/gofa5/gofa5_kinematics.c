@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 1ad76df093a6ec1d77e02fdb1f32ddcb26b64549acb519d8cfdef0c3e13e4cdb.
+ * Made from templates/kernel.c.j2; inputs 9c04e6884efeeea069bb8d7ea1e7ab8ff055aaa6702ff73e4d0cb48512b0686b.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "1ad76df093a6ec1d77e02fdb1f32ddcb26b64549acb519d8cfdef0c3e13e4cdb";
+const char gofa5_kinematics_digest[] = "9c04e6884efeeea069bb8d7ea1e7ab8ff055aaa6702ff73e4d0cb48512b0686b";
 #endif
 
 #define LANES 64

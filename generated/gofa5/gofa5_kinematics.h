@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 1ad76df093a6ec1d77e02fdb1f32ddcb26b64549acb519d8cfdef0c3e13e4cdb.
+ * Made from templates/kernel.h.j2; inputs 9c04e6884efeeea069bb8d7ea1e7ab8ff055aaa6702ff73e4d0cb48512b0686b.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

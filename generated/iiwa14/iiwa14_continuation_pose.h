@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs f8224187d20eb8f5a8929330a9bc8d898bc26ece639f0d0f42447a37ed862cfb.
+ * Made from templates/kernel.h.j2; inputs bce1d637dd6a7e48c59c0d2e5eae2c04bdf8724643a565bd5fccc85cd5af6c95.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f8224187d20eb8f5a8929330a9bc8d898bc26ece639f0d0f42447a37ed862cfb.
+Made from templates/kernel.py.j2; inputs bce1d637dd6a7e48c59c0d2e5eae2c04bdf8724643a565bd5fccc85cd5af6c95.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

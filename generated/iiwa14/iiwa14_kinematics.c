@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs bff9db652a12971c0982b66cdc9ebd953881cdddee27a66816506591d4841aab.
+ * Made from templates/kernel.c.j2; inputs e5fee43d2038b92c3da8171fec37256aedeacdf1c730132cbc4b8922ad832aef.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "bff9db652a12971c0982b66cdc9ebd953881cdddee27a66816506591d4841aab";
+const char iiwa14_kinematics_digest[] = "e5fee43d2038b92c3da8171fec37256aedeacdf1c730132cbc4b8922ad832aef";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs bff9db652a12971c0982b66cdc9ebd953881cdddee27a66816506591d4841aab.
+ * Made from templates/kernel.h.j2; inputs e5fee43d2038b92c3da8171fec37256aedeacdf1c730132cbc4b8922ad832aef.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62.
+ * Made from templates/kernel.c.j2; inputs 18013a5257f898e076f8226d048c962ff8a75ded3e5c12dbcb54b824fc1eca47.
  * 1840 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "89ed789cd8106c4de42a770ea5ea2d11d93447540a5b7a619c367e740977dc62";
+const char iiwa14_pose_digest[] = "18013a5257f898e076f8226d048c962ff8a75ded3e5c12dbcb54b824fc1eca47";
 #endif
 
 #define LANES 64

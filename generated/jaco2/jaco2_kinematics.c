@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs bd5e210cd4fb5479759d5ffc9b07ea0b8f4a257792dcf487de1c8156d951db2d.
+ * Made from templates/kernel.c.j2; inputs 6d29a8d0ab3fd67e641b26b96cccfa6b94b3f4e1a10dbcda81988e19fb76fd65.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "bd5e210cd4fb5479759d5ffc9b07ea0b8f4a257792dcf487de1c8156d951db2d";
+const char jaco2_kinematics_digest[] = "6d29a8d0ab3fd67e641b26b96cccfa6b94b3f4e1a10dbcda81988e19fb76fd65";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bd5e210cd4fb5479759d5ffc9b07ea0b8f4a257792dcf487de1c8156d951db2d.
+Made from templates/kernel.py.j2; inputs 6d29a8d0ab3fd67e641b26b96cccfa6b94b3f4e1a10dbcda81988e19fb76fd65.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

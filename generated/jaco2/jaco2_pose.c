@@ -1,5 +1,5 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs 1c1a78ce2c8b6a6e2b29e50fbd208c494c7f12cc93746c9ba70af277560a0350.
+ * Made from templates/kernel.c.j2; inputs 7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "1c1a78ce2c8b6a6e2b29e50fbd208c494c7f12cc93746c9ba70af277560a0350";
+const char jaco2_pose_digest[] = "7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960";
 #endif
 
 #define LANES 64

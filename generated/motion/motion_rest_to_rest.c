@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs 928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec.
+ * Made from templates/kernel.c.j2; inputs 266c73d0b30f9927b3fde48cab34577ec2102b2f1a7b8cc9bdc459a9de2cd5a6.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec";
+const char motion_rest_to_rest_digest[] = "266c73d0b30f9927b3fde48cab34577ec2102b2f1a7b8cc9bdc459a9de2cd5a6";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 928540d1951b0cb1661292e3301d9214a3af596f6709179ecdfbef3e23ce32ec.
+ * Made from templates/kernel.h.j2; inputs 266c73d0b30f9927b3fde48cab34577ec2102b2f1a7b8cc9bdc459a9de2cd5a6.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs d2ab704a0c66ffe13e4beaab0ab6e0b2f1af15e2b39f5717fa9483ff1be54810.
- * 2072 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 40ee5d6be1b04446cd071f36c97075d3aef0c1180c840f684779b879cc43ff7f.
+ * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "orthogonal_3r_cuspidality.h"
@@ -9,10 +9,10 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "d2ab704a0c66ffe13e4beaab0ab6e0b2f1af15e2b39f5717fa9483ff1be54810";
+const char orthogonal_3r_cuspidality_digest[] = "40ee5d6be1b04446cd071f36c97075d3aef0c1180c840f684779b879cc43ff7f";
 #endif
 
-#define LANES 32
+#define LANES 64
 #define TERMS(name) name##_tile
 #include "orthogonal_3r_cuspidality.inc"
 #undef TERMS
@@ -31,24 +31,24 @@ void CHAINRULE_NAME(orthogonal_3r_quartic)(const real *parameters, const real *t
 
 void CHAINRULE_NAME(orthogonal_3r_quartic_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real target[2 * 32];
-    real quartic[5 * 32];
+    real parameters[4 * 64];
+    real target[2 * 64];
+    real quartic[5 * 64];
     const int streaming = chainrule_streams(count, 5);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             chainrule_gather(target, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             orthogonal_3r_quartic_one(parameters, target, quartic);
             chainrule_scatter(quartic, 1, 1, args[2] + start * steps[2], steps[2], 1, 5, 5 * steps[5], steps[5], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+                chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             orthogonal_3r_quartic_tile(parameters, target, quartic);
-            chainrule_scatter(quartic, 32, taken, args[2] + start * steps[2], steps[2], 1, 5, 5 * steps[5], steps[5], streaming);
+            chainrule_scatter(quartic, 64, taken, args[2] + start * steps[2], steps[2], 1, 5, 5 * steps[5], steps[5], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -61,20 +61,20 @@ void CHAINRULE_NAME(orthogonal_3r_cusp_polynomial)(const real *parameters, real 
 
 void CHAINRULE_NAME(orthogonal_3r_cusp_polynomial_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real polynomial[7 * 32];
+    real parameters[4 * 64];
+    real polynomial[7 * 64];
     const int streaming = chainrule_streams(count, 7);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_cusp_polynomial_one(parameters, polynomial);
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_cusp_polynomial_tile(parameters, polynomial);
-            chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
+            chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -87,20 +87,20 @@ void CHAINRULE_NAME(orthogonal_3r_aspect_polynomial)(const real *parameters, rea
 
 void CHAINRULE_NAME(orthogonal_3r_aspect_polynomial_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real polynomial[5 * 32];
+    real parameters[4 * 64];
+    real polynomial[5 * 64];
     const int streaming = chainrule_streams(count, 5);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_aspect_polynomial_one(parameters, polynomial);
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[3], steps[3], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_aspect_polynomial_tile(parameters, polynomial);
-            chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[3], steps[3], streaming);
+            chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[3], steps[3], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -113,24 +113,84 @@ void CHAINRULE_NAME(orthogonal_3r_determinant_terms)(const real *parameters, con
 
 void CHAINRULE_NAME(orthogonal_3r_determinant_terms_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real elbow[2 * 32];
-    real terms[3 * 32];
+    real parameters[4 * 64];
+    real elbow[2 * 64];
+    real terms[3 * 64];
     const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             chainrule_gather(elbow, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             orthogonal_3r_determinant_terms_one(parameters, elbow, terms);
             chainrule_scatter(terms, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+                chainrule_gather(elbow, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             orthogonal_3r_determinant_terms_tile(parameters, elbow, terms);
-            chainrule_scatter(terms, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
+            chainrule_scatter(terms, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_determinant)(const real *parameters, const real *shoulder, const real *elbow, real *determinant)
+{
+    orthogonal_3r_determinant_one(parameters, shoulder, elbow, determinant);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_determinant_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real parameters[4 * 64];
+    real shoulder[2 * 64];
+    real elbow[2 * 64];
+    real determinant[1 * 64];
+    const int streaming = chainrule_streams(count, 1);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_gather(shoulder, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            chainrule_gather(elbow, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            orthogonal_3r_determinant_one(parameters, shoulder, elbow, determinant);
+            chainrule_scatter(determinant, 1, 1, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+        } else {
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(shoulder, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            orthogonal_3r_determinant_tile(parameters, shoulder, elbow, determinant);
+            chainrule_scatter(determinant, 64, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_second_axis)(const real *parameters, real *polynomial)
+{
+    orthogonal_3r_second_axis_one(parameters, polynomial);
+}
+
+void CHAINRULE_NAME(orthogonal_3r_second_axis_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real parameters[4 * 64];
+    real polynomial[2 * 64];
+    const int streaming = chainrule_streams(count, 2);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 64);
+        if (taken == 1) {
+            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            orthogonal_3r_second_axis_one(parameters, polynomial);
+            chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], 0);
+        } else {
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            orthogonal_3r_second_axis_tile(parameters, polynomial);
+            chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -143,24 +203,24 @@ void CHAINRULE_NAME(orthogonal_3r_triple_point)(const real *parameters, const re
 
 void CHAINRULE_NAME(orthogonal_3r_triple_point_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real elbow[2 * 32];
-    real cusp[3 * 32];
+    real parameters[4 * 64];
+    real elbow[2 * 64];
+    real cusp[3 * 64];
     const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             chainrule_gather(elbow, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             orthogonal_3r_triple_point_one(parameters, elbow, cusp);
             chainrule_scatter(cusp, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+                chainrule_gather(elbow, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             orthogonal_3r_triple_point_tile(parameters, elbow, cusp);
-            chainrule_scatter(cusp, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
+            chainrule_scatter(cusp, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -173,14 +233,14 @@ void CHAINRULE_NAME(orthogonal_3r_image)(const real *parameters, const real *sho
 
 void CHAINRULE_NAME(orthogonal_3r_image_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real shoulder[2 * 32];
-    real elbow[2 * 32];
-    real target[2 * 32];
+    real parameters[4 * 64];
+    real shoulder[2 * 64];
+    real elbow[2 * 64];
+    real target[2 * 64];
     const int streaming = chainrule_streams(count, 2);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             chainrule_gather(shoulder, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
@@ -188,13 +248,13 @@ void CHAINRULE_NAME(orthogonal_3r_image_batch)(ptrdiff_t count, char *const *arg
             orthogonal_3r_image_one(parameters, shoulder, elbow, target);
             chainrule_scatter(target, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(shoulder, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+                chainrule_gather(shoulder, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
-                chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+                chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
             orthogonal_3r_image_tile(parameters, shoulder, elbow, target);
-            chainrule_scatter(target, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
+            chainrule_scatter(target, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -207,20 +267,20 @@ void CHAINRULE_NAME(orthogonal_3r_conic_terms)(const real *parameters, real *con
 
 void CHAINRULE_NAME(orthogonal_3r_conic_terms_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real conic[30 * 32];
+    real parameters[4 * 64];
+    real conic[30 * 64];
     const int streaming = chainrule_streams(count, 30);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_conic_terms_one(parameters, conic);
             chainrule_scatter(conic, 1, 1, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_conic_terms_tile(parameters, conic);
-            chainrule_scatter(conic, 32, taken, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], streaming);
+            chainrule_scatter(conic, 64, taken, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -233,14 +293,14 @@ void CHAINRULE_NAME(orthogonal_3r_shoulder)(const real *parameters, const real *
 
 void CHAINRULE_NAME(orthogonal_3r_shoulder_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real target[2 * 32];
-    real elbow[2 * 32];
-    real ratio[3 * 32];
+    real parameters[4 * 64];
+    real target[2 * 64];
+    real elbow[2 * 64];
+    real ratio[3 * 64];
     const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             chainrule_gather(target, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
@@ -248,13 +308,13 @@ void CHAINRULE_NAME(orthogonal_3r_shoulder_batch)(ptrdiff_t count, char *const *
             orthogonal_3r_shoulder_one(parameters, target, elbow, ratio);
             chainrule_scatter(ratio, 1, 1, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+                chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
-                chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+                chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
             orthogonal_3r_shoulder_tile(parameters, target, elbow, ratio);
-            chainrule_scatter(ratio, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
+            chainrule_scatter(ratio, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -267,14 +327,14 @@ void CHAINRULE_NAME(orthogonal_3r_unturned)(const real *parameters, const real *
 
 void CHAINRULE_NAME(orthogonal_3r_unturned_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real shoulder[2 * 32];
-    real elbow[2 * 32];
-    real point[3 * 32];
+    real parameters[4 * 64];
+    real shoulder[2 * 64];
+    real elbow[2 * 64];
+    real point[3 * 64];
     const int streaming = chainrule_streams(count, 3);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             chainrule_gather(shoulder, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
@@ -282,13 +342,13 @@ void CHAINRULE_NAME(orthogonal_3r_unturned_batch)(ptrdiff_t count, char *const *
             orthogonal_3r_unturned_one(parameters, shoulder, elbow, point);
             chainrule_scatter(point, 1, 1, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(shoulder, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+                chainrule_gather(shoulder, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
-                chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+                chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
             orthogonal_3r_unturned_tile(parameters, shoulder, elbow, point);
-            chainrule_scatter(point, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
+            chainrule_scatter(point, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -301,14 +361,14 @@ void CHAINRULE_NAME(orthogonal_3r_number_of_postures)(const real *parameters, co
 
 void CHAINRULE_NAME(orthogonal_3r_number_of_postures_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real target[2 * 32];
-    real number[1 * 32];
-    real margin[1 * 32];
+    real parameters[4 * 64];
+    real target[2 * 64];
+    real number[1 * 64];
+    real margin[1 * 64];
     const int streaming = chainrule_streams(count, 2);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             chainrule_gather(target, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
@@ -316,57 +376,12 @@ void CHAINRULE_NAME(orthogonal_3r_number_of_postures_batch)(ptrdiff_t count, cha
             chainrule_scatter(number, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
             chainrule_scatter(margin, 1, 1, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+                chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             orthogonal_3r_number_of_postures_tile(parameters, target, number, margin);
-            chainrule_scatter(number, 32, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(margin, 32, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-        }
-    }
-    chainrule_settle(streaming);
-}
-
-void CHAINRULE_NAME(orthogonal_3r_postures)(const real *parameters, const real *point, real *angles, real *room, real *closure, real *slope, real *number, real *margin)
-{
-    orthogonal_3r_postures_one(parameters, point, angles, room, closure, slope, number, margin);
-}
-
-void CHAINRULE_NAME(orthogonal_3r_postures_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
-{
-    real parameters[4 * 32];
-    real point[3 * 32];
-    real angles[12 * 32];
-    real room[2 * 32];
-    real closure[4 * 32];
-    real slope[4 * 32];
-    real number[1 * 32];
-    real margin[1 * 32];
-    const int streaming = chainrule_streams(count, 24);
-    int taken;
-    for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
-        if (taken == 1) {
-            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[8], steps[8]);
-            chainrule_gather(point, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[9], steps[9]);
-            orthogonal_3r_postures_one(parameters, point, angles, room, closure, slope, number, margin);
-            chainrule_scatter(angles, 1, 1, args[2] + start * steps[2], steps[2], 4, 3, steps[10], steps[11], 0);
-            chainrule_scatter(room, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[12], steps[12], 0);
-            chainrule_scatter(closure, 1, 1, args[4] + start * steps[4], steps[4], 1, 4, 4 * steps[13], steps[13], 0);
-            chainrule_scatter(slope, 1, 1, args[5] + start * steps[5], steps[5], 1, 4, 4 * steps[14], steps[14], 0);
-            chainrule_scatter(number, 1, 1, args[6] + start * steps[6], steps[6], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-            chainrule_scatter(margin, 1, 1, args[7] + start * steps[7], steps[7], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-        } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[8], steps[8]);
-            if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[9], steps[9]);
-            orthogonal_3r_postures_tile(parameters, point, angles, room, closure, slope, number, margin);
-            chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[10], steps[11], streaming);
-            chainrule_scatter(room, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[12], steps[12], streaming);
-            chainrule_scatter(closure, 32, taken, args[4] + start * steps[4], steps[4], 1, 4, 4 * steps[13], steps[13], streaming);
-            chainrule_scatter(slope, 32, taken, args[5] + start * steps[5], steps[5], 1, 4, 4 * steps[14], steps[14], streaming);
-            chainrule_scatter(number, 32, taken, args[6] + start * steps[6], steps[6], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(margin, 32, taken, args[7] + start * steps[7], steps[7], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(number, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(margin, 64, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
     chainrule_settle(streaming);
@@ -379,23 +394,23 @@ void CHAINRULE_NAME(orthogonal_3r_classify)(const real *parameters, real *domain
 
 void CHAINRULE_NAME(orthogonal_3r_classify_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real domain[1 * 32];
-    real topology[1 * 32];
+    real parameters[4 * 64];
+    real domain[1 * 64];
+    real topology[1 * 64];
     const int streaming = chainrule_streams(count, 2);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             orthogonal_3r_classify_one(parameters, domain, topology);
             chainrule_scatter(domain, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
             chainrule_scatter(topology, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             orthogonal_3r_classify_tile(parameters, domain, topology);
-            chainrule_scatter(domain, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(topology, 32, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(domain, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(topology, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
     chainrule_settle(streaming);
@@ -408,20 +423,20 @@ void CHAINRULE_NAME(orthogonal_3r_sides)(const real *parameters, real *sides)
 
 void CHAINRULE_NAME(orthogonal_3r_sides_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real sides[6 * 32];
+    real parameters[4 * 64];
+    real sides[6 * 64];
     const int streaming = chainrule_streams(count, 6);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_sides_one(parameters, sides);
             chainrule_scatter(sides, 1, 1, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[3], steps[3], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_sides_tile(parameters, sides);
-            chainrule_scatter(sides, 32, taken, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[3], steps[3], streaming);
+            chainrule_scatter(sides, 64, taken, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[3], steps[3], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -434,20 +449,20 @@ void CHAINRULE_NAME(orthogonal_3r_exact_sides)(const real *parameters, real *sid
 
 void CHAINRULE_NAME(orthogonal_3r_exact_sides_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real parameters[4 * 32];
-    real sides[9 * 32];
+    real parameters[4 * 64];
+    real sides[9 * 64];
     const int streaming = chainrule_streams(count, 9);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 64);
         if (taken == 1) {
             chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_exact_sides_one(parameters, sides);
             chainrule_scatter(sides, 1, 1, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], 0);
         } else {
-            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             orthogonal_3r_exact_sides_tile(parameters, sides);
-            chainrule_scatter(sides, 32, taken, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], streaming);
+            chainrule_scatter(sides, 64, taken, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], streaming);
         }
     }
     chainrule_settle(streaming);

@@ -1,6 +1,6 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs d2ab704a0c66ffe13e4beaab0ab6e0b2f1af15e2b39f5717fa9483ff1be54810.
- * 2072 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 40ee5d6be1b04446cd071f36c97075d3aef0c1180c840f684779b879cc43ff7f.
+ * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -60,6 +60,26 @@ void orthogonal_3r_determinant_terms(const double *parameters, const double *elb
 void orthogonal_3r_determinant_terms_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void orthogonal_3r_determinant_termsf(const float *parameters, const float *elbow, float *terms);
 void orthogonal_3r_determinant_terms_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* det J, the determinant of the position Jacobian.
+ *   in   parameters[4] = (d2, d3, d4, r2)
+ *   in   shoulder[2] = (c2, s2)
+ *   in   elbow[2] = (c3, s3)
+ *   out  determinant (one number)
+ *   13 operations */
+void orthogonal_3r_determinant(const double *parameters, const double *shoulder, const double *elbow, double *determinant);
+void orthogonal_3r_determinant_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void orthogonal_3r_determinantf(const float *parameters, const float *shoulder, const float *elbow, float *determinant);
+void orthogonal_3r_determinant_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* coefficients of 1 and t^2 in (1 + t^2) f1, t = tan(theta3/2), which is 0 where the point is on axis 2.
+ *   in   parameters[4] = (d2, d3, d4, r2)
+ *   out  polynomial[2]
+ *   2 operations */
+void orthogonal_3r_second_axis(const double *parameters, double *polynomial);
+void orthogonal_3r_second_axis_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void orthogonal_3r_second_axisf(const float *parameters, float *polynomial);
+void orthogonal_3r_second_axis_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* numerators of rho^2 and of z^2 of the cusp at a root of the cusp polynomial, and their denominator.
  *   in   parameters[4] = (d2, d3, d4, r2)
@@ -123,21 +143,6 @@ void orthogonal_3r_number_of_postures(const double *parameters, const double *ta
 void orthogonal_3r_number_of_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void orthogonal_3r_number_of_posturesf(const float *parameters, const float *target, float *number, float *margin);
 void orthogonal_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-
-/* two pairs of postures at a point, the room of each (real if positive), the distances left, the slopes of E.
- *   in   parameters[4] = (d2, d3, d4, r2)
- *   in   point[3] = (x, y, z)
- *   out  angles[4][3]
- *   out  room[2]
- *   out  closure[4]
- *   out  slope[4]
- *   out  number (one number)
- *   out  margin (one number)
- *   1380 operations */
-void orthogonal_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin);
-void orthogonal_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void orthogonal_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin);
-void orthogonal_3r_postures_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* the domain 1 to 5 and the topology 1 to 9 of a design, each 0 where rounding would decide it.
  *   in   parameters[4] = (d2, d3, d4, r2)

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs be3715ed77432e894956fa73bdecc091ea45c9299ca6832d5abde7670138dce8.
+ * Made from templates/kernel.c.j2; inputs 716ad814f6b55319238b6a8b67cb8abfaa3d94443ef236e098dd8d7321feb187.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "be3715ed77432e894956fa73bdecc091ea45c9299ca6832d5abde7670138dce8";
+const char orthogonal_3r_kinematics_digest[] = "716ad814f6b55319238b6a8b67cb8abfaa3d94443ef236e098dd8d7321feb187";
 #endif
 
 #define LANES 64

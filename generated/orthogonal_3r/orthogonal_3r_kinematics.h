@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs be3715ed77432e894956fa73bdecc091ea45c9299ca6832d5abde7670138dce8.
+ * Made from templates/kernel.h.j2; inputs 716ad814f6b55319238b6a8b67cb8abfaa3d94443ef236e098dd8d7321feb187.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 09becb3b188b814f14b42d7cb677394546e09467e7e482241d094a661c55d584.
+ * Made from templates/kernel.c.j2; inputs 878499da14ab7bd88d80a77377b90593f4203c0062cadf2323f88f7643a17ca5.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "09becb3b188b814f14b42d7cb677394546e09467e7e482241d094a661c55d584";
+const char panda_kinematics_digest[] = "878499da14ab7bd88d80a77377b90593f4203c0062cadf2323f88f7643a17ca5";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 09becb3b188b814f14b42d7cb677394546e09467e7e482241d094a661c55d584.
+Made from templates/kernel.py.j2; inputs 878499da14ab7bd88d80a77377b90593f4203c0062cadf2323f88f7643a17ca5.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454.
+ * Made from templates/kernel.c.j2; inputs c2772a1907e41fab35b97a73cff4ca9a37da49c766b9ce8c1d3508df9f38ba3b.
  * 1582 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454";
+const char panda_position_digest[] = "c2772a1907e41fab35b97a73cff4ca9a37da49c766b9ce8c1d3508df9f38ba3b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 16fbe80b5fcca0ac5b43ec04fd009b86218ba33623bd72fadbbcdb7f40e6f454.
+Made from templates/kernel.py.j2; inputs c2772a1907e41fab35b97a73cff4ca9a37da49c766b9ce8c1d3508df9f38ba3b.
 1582 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

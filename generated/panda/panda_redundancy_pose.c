@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs e67a7e7d99f1ebc7019ab0dfbdc9154fa0ac7190a6567ae7b307d4f90bfd9060.
+ * Made from templates/kernel.c.j2; inputs bff57c8041c05956f990ea44cb913120ab0faaa18e79396d469204216a5c6739.
  * 2948 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "e67a7e7d99f1ebc7019ab0dfbdc9154fa0ac7190a6567ae7b307d4f90bfd9060";
+const char panda_redundancy_pose_digest[] = "bff57c8041c05956f990ea44cb913120ab0faaa18e79396d469204216a5c6739";
 #endif
 
 #define LANES 16

@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.h: redundancy pose of panda.
- * Made from templates/kernel.h.j2; inputs e67a7e7d99f1ebc7019ab0dfbdc9154fa0ac7190a6567ae7b307d4f90bfd9060.
+ * Made from templates/kernel.h.j2; inputs bff57c8041c05956f990ea44cb913120ab0faaa18e79396d469204216a5c6739.
  * 2948 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

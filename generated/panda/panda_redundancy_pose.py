@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e67a7e7d99f1ebc7019ab0dfbdc9154fa0ac7190a6567ae7b307d4f90bfd9060.
+Made from templates/kernel.py.j2; inputs bff57c8041c05956f990ea44cb913120ab0faaa18e79396d469204216a5c6739.
 2948 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

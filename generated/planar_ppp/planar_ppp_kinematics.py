@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 13d5b82c1007189cbef4114838bfa3761047a6b52871bd6fdd583e858179a944.
+Made from templates/kernel.py.j2; inputs 1bff9d4ddd81d87b8d82128ba4fb1e4ee944946f99c1f7b508df53c8d12fa88f.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

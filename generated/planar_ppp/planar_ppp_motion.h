@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs bbdf527a048a31204ec13741e0c794b3ce502ecaa6caf599586f44cd0f4d0aab.
+ * Made from templates/kernel.h.j2; inputs b70e906b10c2dad3e3a8c1e5ead6c7722beb8ed47908722a3a616f6e5c898dff.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 4561ff9cae0eacc8d2679bf3a135fe51c42fe1aa8d7157d38eb545a0219c18af.
+ * Made from templates/kernel.c.j2; inputs 4f525df9c2897f9e0bf8f551a6e6d90ab191f23070896c0fa0a476cf915086dd.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "4561ff9cae0eacc8d2679bf3a135fe51c42fe1aa8d7157d38eb545a0219c18af";
+const char planar_ppp_speed_ratio_digest[] = "4f525df9c2897f9e0bf8f551a6e6d90ab191f23070896c0fa0a476cf915086dd";
 #endif
 
 #define LANES 64

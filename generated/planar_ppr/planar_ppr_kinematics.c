@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs a7296998057d8aacd0a4703ae97474bf28906ee871e44c9c82475af2251487d4.
+ * Made from templates/kernel.c.j2; inputs 004c56bc064ffcb8a20b9fc4b9f67f6b8c025c59fab7112317e31730a024aeea.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "a7296998057d8aacd0a4703ae97474bf28906ee871e44c9c82475af2251487d4";
+const char planar_ppr_kinematics_digest[] = "004c56bc064ffcb8a20b9fc4b9f67f6b8c025c59fab7112317e31730a024aeea";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs a7296998057d8aacd0a4703ae97474bf28906ee871e44c9c82475af2251487d4.
+ * Made from templates/kernel.h.j2; inputs 004c56bc064ffcb8a20b9fc4b9f67f6b8c025c59fab7112317e31730a024aeea.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

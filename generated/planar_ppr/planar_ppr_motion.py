@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 42d5d7dddaac77fa1b968b64909371a59c89968cf97ad01f5df56b04b8d7dec9.
+Made from templates/kernel.py.j2; inputs 5e9ae1d23ca2ca2d3e8daea36084f355039f133b010f698762ff4f73d9955950.
 161 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 311c0ea734526b055de764518161e44025e63c5dcf511458773c6b2e54da93ea.
+Made from templates/kernel.py.j2; inputs 53536e5282ac518d09217592e9e20d1a7c68ae71b41c4362ad4c911164640de7.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

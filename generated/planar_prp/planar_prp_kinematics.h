@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs e10abe571293e81eaba313185a2d10308940dd0dbee0b4377f3bb241ce0e23e6.
+ * Made from templates/kernel.h.j2; inputs 6bb61fb3278914b471c13d13ac3788a6abadce2cc335acd205f957d346a397dc.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

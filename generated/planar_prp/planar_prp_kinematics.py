@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e10abe571293e81eaba313185a2d10308940dd0dbee0b4377f3bb241ce0e23e6.
+Made from templates/kernel.py.j2; inputs 6bb61fb3278914b471c13d13ac3788a6abadce2cc335acd205f957d346a397dc.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

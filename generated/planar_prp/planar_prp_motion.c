@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs 2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac.
+ * Made from templates/kernel.c.j2; inputs d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac";
+const char planar_prp_motion_digest[] = "d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 2e2bdb3be75de58d95375ad353bd43b6d43780807a19b9122d4456009b80b3ac.
+ * Made from templates/kernel.h.j2; inputs d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

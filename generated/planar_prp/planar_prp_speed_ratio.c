@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs bb39b06a88a0e85178591250d4a3deaa49ab934b8064cf02f8dacae2ca6cf013.
+ * Made from templates/kernel.c.j2; inputs 38b5d3693ff03d23a2db521fe3c3233e189f8ac76eddc8b07f9767e08e1a0ad7.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "bb39b06a88a0e85178591250d4a3deaa49ab934b8064cf02f8dacae2ca6cf013";
+const char planar_prp_speed_ratio_digest[] = "38b5d3693ff03d23a2db521fe3c3233e189f8ac76eddc8b07f9767e08e1a0ad7";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs f47db54d265ee08e23e9f914a543bcafc88abbb8be752df2ed405e42f4afd4b0.
+ * Made from templates/kernel.h.j2; inputs 74b4eb40d9ab8635922edc596987fda5c3facea0a884f28c68cef8a68aa24bb6.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

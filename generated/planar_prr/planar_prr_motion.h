@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs 06f6f7845e6bae97e68255ef0bb7182334928555b6dfa483884caada9000b54c.
+ * Made from templates/kernel.h.j2; inputs 68d89cd15e1acfffbb793eca821426affd15b9696b79827a466e349e829ee04d.
  * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56.
+ * Made from templates/kernel.c.j2; inputs 503ac6d9ad9cc71c017227e6fa883cf269ab9b4986207571831e095b1458d327.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56";
+const char planar_rpp_kinematics_digest[] = "503ac6d9ad9cc71c017227e6fa883cf269ab9b4986207571831e095b1458d327";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fd9c0b10f578e97a38737444c11082e15c78e225808bc78fe3ea39f095afab56.
+Made from templates/kernel.py.j2; inputs 503ac6d9ad9cc71c017227e6fa883cf269ab9b4986207571831e095b1458d327.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs a554d66c6bb207e924db56af9508500aba2dc0a517f3ac75cfc5a990506c3be4.
+ * Made from templates/kernel.c.j2; inputs b02980e6aa0482bdb6b3b01000d89e64b28b912b6866e7344385747ede227a51.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "a554d66c6bb207e924db56af9508500aba2dc0a517f3ac75cfc5a990506c3be4";
+const char planar_rpr_kinematics_digest[] = "b02980e6aa0482bdb6b3b01000d89e64b28b912b6866e7344385747ede227a51";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs a554d66c6bb207e924db56af9508500aba2dc0a517f3ac75cfc5a990506c3be4.
+ * Made from templates/kernel.h.j2; inputs b02980e6aa0482bdb6b3b01000d89e64b28b912b6866e7344385747ede227a51.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 1153ca297da30f675dafd4f85474b7d48c1ba630a29fb02c27f231f61e0c3a5b.
+ * Made from templates/kernel.h.j2; inputs f9b70ed5d880dc4492b375e5dcf314ce40a94def537e0176fecd2da1b1d908f0.
  * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

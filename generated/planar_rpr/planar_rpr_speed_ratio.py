@@ -1,6 +1,6 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7a735b947b64dba8415c9c90b95abfeafb04d7b3cccba72f6ff8163324c453b2.
+Made from templates/kernel.py.j2; inputs 67b3b5d6c3da16886670826e5e1089e660f66ea89881a492dc08233bc0b04bc3.
 1003 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

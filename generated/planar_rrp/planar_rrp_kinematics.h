@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 4b221ef6292be531ceaaf0d06b4c1f4669ce82b5cc7bed90e74fb4d3c3c51553.
+ * Made from templates/kernel.h.j2; inputs 080691bef8cea44c143beaa14295f1c4957f193d1ecfd660fd05f1cca56afa18.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034.
+ * Made from templates/kernel.c.j2; inputs 2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034";
+const char planar_rrp_motion_digest[] = "2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590";
 #endif
 
 #define LANES 64

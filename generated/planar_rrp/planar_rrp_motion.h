@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 28c6d08505ce04abfaef04ce9c59c1c3b8f5eb82cc2fde3709d55ce550778034.
+ * Made from templates/kernel.h.j2; inputs 2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ec41330291f3344e8f790e9874a0585f93fda83c090501151eb6d95f5863a4a9.
+Made from templates/kernel.py.j2; inputs 447096f04abeea1a353333ea59773834dd2be5f493721b66b88209a839e0e62c.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.c: continuation position of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 5dbe69071ed55284f18d03abb832a3c7aa9752b098e99a6e4854206ebc570812.
+ * Made from templates/kernel.c.j2; inputs 02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_position_digest[] = "5dbe69071ed55284f18d03abb832a3c7aa9752b098e99a6e4854206ebc570812";
+const char planar_rrr_continuation_position_digest[] = "02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """continuation position of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5dbe69071ed55284f18d03abb832a3c7aa9752b098e99a6e4854206ebc570812.
+Made from templates/kernel.py.j2; inputs 02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89.
 123 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

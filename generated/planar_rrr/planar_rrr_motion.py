@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cfa2b475a9a3471630cb427a42ee2d9e9191ca0d7767e2dde7ef4a53254daabc.
+Made from templates/kernel.py.j2; inputs 67cfa5c228421057723c019421cfa62ed36b9962784a9759f24169050a8d7b90.
 248 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """self motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0725dde9519e16205fb483bf522493b91ece489b9991eb0477787197e157eec9.
+Made from templates/kernel.py.j2; inputs 57e94a81e0a0240272fa5d6aaec3c6534392751f21d231d4185c26c9a40af3fc.
 1479 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

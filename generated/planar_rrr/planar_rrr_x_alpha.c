@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.c: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f.
+ * Made from templates/kernel.c.j2; inputs 3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_x_alpha_digest[] = "2dd8d26fc476c018ee79a10923c581571d425bc98e26fbabb1c91e86264d0f5f";
+const char planar_rrr_x_alpha_digest[] = "3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 28b0adf57d3b3829ca54d8d1c076dc10dbcba1f0381a2228d527bdce5390cccb.
+Made from templates/kernel.py.j2; inputs 26d09cdecd83b9c763afb9611b3926a5dae220a9d4e073ba15e711d95f092c6b.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs 9abd90ecf1f20592d8ce95849ff6204fa9e8a1c4927cd8e82fb72ca38cc720c1.
+ * Made from templates/kernel.c.j2; inputs c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "9abd90ecf1f20592d8ce95849ff6204fa9e8a1c4927cd8e82fb72ca38cc720c1";
+const char puma560_pose_digest[] = "c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e";
 #endif
 
 #define LANES 64

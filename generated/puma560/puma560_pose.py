@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9abd90ecf1f20592d8ce95849ff6204fa9e8a1c4927cd8e82fb72ca38cc720c1.
+Made from templates/kernel.py.j2; inputs c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c.
- * 3500 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 5eb6ffa6f8ff8acc70fc0968c12ce5a588099fb078af81c9f853a41c415a1c33.
+ * 5456 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "regional_3r_cuspidality.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c";
+const char regional_3r_cuspidality_digest[] = "5eb6ffa6f8ff8acc70fc0968c12ce5a588099fb078af81c9f853a41c415a1c33";
 #endif
 
 #define LANES 32
@@ -157,6 +157,95 @@ void CHAINRULE_NAME(regional_3r_determinant_terms_batch)(ptrdiff_t count, char *
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             regional_3r_determinant_terms_tile(parameters, elbow, terms);
             chainrule_scatter(terms, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(regional_3r_determinant)(const real *parameters, const real *shoulder, const real *elbow, real *determinant)
+{
+    regional_3r_determinant_one(parameters, shoulder, elbow, determinant);
+}
+
+void CHAINRULE_NAME(regional_3r_determinant_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real parameters[9 * 32];
+    real shoulder[2 * 32];
+    real elbow[2 * 32];
+    real determinant[1 * 32];
+    const int streaming = chainrule_streams(count, 1);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[4], steps[4]);
+            chainrule_gather(shoulder, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            chainrule_gather(elbow, 1, 1, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            regional_3r_determinant_one(parameters, shoulder, elbow, determinant);
+            chainrule_scatter(determinant, 1, 1, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+        } else {
+            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[4], steps[4]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(shoulder, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            regional_3r_determinant_tile(parameters, shoulder, elbow, determinant);
+            chainrule_scatter(determinant, 32, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(regional_3r_second_axis)(const real *parameters, real *polynomial)
+{
+    regional_3r_second_axis_one(parameters, polynomial);
+}
+
+void CHAINRULE_NAME(regional_3r_second_axis_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real parameters[9 * 32];
+    real polynomial[2 * 32];
+    const int streaming = chainrule_streams(count, 2);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(parameters, 1, 1, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
+            regional_3r_second_axis_one(parameters, polynomial);
+            chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], 0);
+        } else {
+            chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
+            regional_3r_second_axis_tile(parameters, polynomial);
+            chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(regional_3r_quartic_invariants)(const real *coefficients, real *invariants, real *discriminating)
+{
+    regional_3r_quartic_invariants_one(coefficients, invariants, discriminating);
+}
+
+void CHAINRULE_NAME(regional_3r_quartic_invariants_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real coefficients[5 * 32];
+    real invariants[2 * 32];
+    real discriminating[3 * 32];
+    const int streaming = chainrule_streams(count, 5);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(coefficients, 1, 1, args[0] + start * steps[0], steps[0], 1, 5, 5 * steps[3], steps[3]);
+            regional_3r_quartic_invariants_one(coefficients, invariants, discriminating);
+            chainrule_scatter(invariants, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4], 0);
+            chainrule_scatter(discriminating, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], 0);
+        } else {
+            chainrule_gather(coefficients, 32, taken, args[0] + start * steps[0], steps[0], 1, 5, 5 * steps[3], steps[3]);
+            regional_3r_quartic_invariants_tile(coefficients, invariants, discriminating);
+            chainrule_scatter(invariants, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4], streaming);
+            chainrule_scatter(discriminating, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
     }
     chainrule_settle(streaming);

@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs 8d193ae39ce211c69348e917a1b03f05ad981f63f6f63d7069e554f45f496e9c.
- * 3500 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 5eb6ffa6f8ff8acc70fc0968c12ce5a588099fb078af81c9f853a41c415a1c33.
+ * 5456 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -68,6 +68,36 @@ void regional_3r_determinant_terms(const double *parameters, const double *elbow
 void regional_3r_determinant_terms_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_determinant_termsf(const float *parameters, const float *elbow, float *terms);
 void regional_3r_determinant_terms_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* det J, the determinant of the position Jacobian.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   in   shoulder[2] = (c2, s2)
+ *   in   elbow[2] = (c3, s3)
+ *   out  determinant (one number)
+ *   39 operations */
+void regional_3r_determinant(const double *parameters, const double *shoulder, const double *elbow, double *determinant);
+void regional_3r_determinant_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_determinantf(const float *parameters, const float *shoulder, const float *elbow, float *determinant);
+void regional_3r_determinant_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* coefficients of 1 and t^2 in (1 + t^2) f1, t = tan(theta3/2), which is 0 where the point is on axis 2.
+ *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
+ *   out  polynomial[2]
+ *   2 operations */
+void regional_3r_second_axis(const double *parameters, double *polynomial);
+void regional_3r_second_axis_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_second_axisf(const float *parameters, float *polynomial);
+void regional_3r_second_axis_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* invariants I, J of a quartic, 27 times its discriminant, and what tells four real roots from none.
+ *   in   coefficients[5] = (e0, e1, e2, e3, e4)
+ *   out  invariants[2]
+ *   out  discriminating[3]
+ *   53 operations */
+void regional_3r_quartic_invariants(const double *coefficients, double *invariants, double *discriminating);
+void regional_3r_quartic_invariants_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_quartic_invariantsf(const float *coefficients, float *invariants, float *discriminating);
+void regional_3r_quartic_invariants_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* numerators of rho^2 and of z of the cusp at a root of the cusp polynomial, and their denominator.
  *   in   parameters[9] = (ca2, sa2, ca3, sa3, d2, d3, d4, r2, r3)
@@ -151,7 +181,7 @@ void regional_3r_number_of_postures_batchf(ptrdiff_t count, char *const *args, c
  *   out  slope[4]
  *   out  number (one number)
  *   out  margin (one number)
- *   1549 operations */
+ *   2243 operations */
 void regional_3r_postures(const double *parameters, const double *point, double *angles, double *room, double *closure, double *slope, double *number, double *margin);
 void regional_3r_postures_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_posturesf(const float *parameters, const float *point, float *angles, float *room, float *closure, float *slope, float *number, float *margin);
@@ -163,7 +193,7 @@ void regional_3r_postures_batchf(ptrdiff_t count, char *const *args, const ptrdi
  *   out  angles[4][3]
  *   out  closure[4]
  *   out  width[4]
- *   300 operations */
+ *   884 operations */
 void regional_3r_postures_intersecting(const double *parameters, const double *point, double *angles, double *closure, double *width);
 void regional_3r_postures_intersecting_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_postures_intersectingf(const float *parameters, const float *point, float *angles, float *closure, float *width);
@@ -175,7 +205,7 @@ void regional_3r_postures_intersecting_batchf(ptrdiff_t count, char *const *args
  *   out  angles[4][3]
  *   out  closure[4]
  *   out  width[4]
- *   294 operations */
+ *   878 operations */
 void regional_3r_postures_parallel(const double *parameters, const double *point, double *angles, double *closure, double *width);
 void regional_3r_postures_parallel_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_postures_parallelf(const float *parameters, const float *point, float *angles, float *closure, float *width);

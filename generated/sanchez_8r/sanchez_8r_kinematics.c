@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 9591edb744a8b74c53f8ccc6e23f7e849c2c3fbb88bb91dd03b9537e99ac4ec5.
+ * Made from templates/kernel.c.j2; inputs cd9ed1ca2b6956639e8d3b47b2a2cbb9d51aee84ab46edc6beafbe2963b30cee.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "9591edb744a8b74c53f8ccc6e23f7e849c2c3fbb88bb91dd03b9537e99ac4ec5";
+const char sanchez_8r_kinematics_digest[] = "cd9ed1ca2b6956639e8d3b47b2a2cbb9d51aee84ab46edc6beafbe2963b30cee";
 #endif
 
 #define LANES 32

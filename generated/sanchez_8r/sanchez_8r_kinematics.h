@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 9591edb744a8b74c53f8ccc6e23f7e849c2c3fbb88bb91dd03b9537e99ac4ec5.
+ * Made from templates/kernel.h.j2; inputs cd9ed1ca2b6956639e8d3b47b2a2cbb9d51aee84ab46edc6beafbe2963b30cee.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

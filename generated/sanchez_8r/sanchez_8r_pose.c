@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645.
+ * Made from templates/kernel.c.j2; inputs 6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22.
  * 3073 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645";
+const char sanchez_8r_pose_digest[] = "6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22";
 #endif
 
 #define LANES 32

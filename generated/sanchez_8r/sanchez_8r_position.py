@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7a90dd12714f6bc7d9dd9afff82538f0cafb66df731f4eef2535e85148958645.
+Made from templates/kernel.py.j2; inputs 6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22.
 1962 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

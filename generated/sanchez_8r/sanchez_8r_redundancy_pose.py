@@ -1,6 +1,6 @@
 """redundancy pose of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9e93a116e0c8085329780e20970f37f1cc468ca1eb8371f89b674c5a086dd7dd.
+Made from templates/kernel.py.j2; inputs 1c623602ab4fbb054d191fd9166c856556c33c96393d19b67e84d1de67b57230.
 3895 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec.
+ * Made from templates/kernel.c.j2; inputs 90146a36ee84c5b75b8019f6d53ee4522bdd3126f90992f0ab294ce3fc5418a6.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "14d7aaf731bc0aca0ba13dff2936782917f304c060fa2fa935363c422d4ed3ec";
+const char ur5e_kinematics_digest[] = "90146a36ee84c5b75b8019f6d53ee4522bdd3126f90992f0ab294ce3fc5418a6";
 #endif
 
 #define LANES 64

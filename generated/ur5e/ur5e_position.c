@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 7692a882290b6e1199cf874baefa2e958aca632c9b17f5da60b02cb38fb61b66.
+ * Made from templates/kernel.c.j2; inputs b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649.
  * 893 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "7692a882290b6e1199cf874baefa2e958aca632c9b17f5da60b02cb38fb61b66";
+const char ur5e_position_digest[] = "b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649";
 #endif
 
 #define LANES 64

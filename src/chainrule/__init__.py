@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
     from chainrule.readers.paths import read_path
     from chainrule.redundancy.batch import Batch, Forecast, forecast, track_batch
+    from chainrule.redundancy.fastest import fastest_run
     from chainrule.redundancy.path_files import read_task_path
     from chainrule.redundancy.result import Event, Run
     from chainrule.redundancy.task_path import TaskPath
@@ -83,6 +84,7 @@ __all__ = [
     "best_posture",
     "classify_orthogonal_3r",
     "fastest",
+    "fastest_run",
     "follow",
     "forecast",
     "generate",
@@ -144,6 +146,7 @@ _HOMES = {
     "read_task_path": "chainrule.redundancy.path_files",
     **dict.fromkeys(("Event", "Run"), "chainrule.redundancy.result"),
     "TaskPath": "chainrule.redundancy.task_path",
+    "fastest_run": "chainrule.redundancy.fastest",
     "track": "chainrule.redundancy.track",
     **dict.fromkeys(("Batch", "Forecast", "forecast", "track_batch"), "chainrule.redundancy.batch"),
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),

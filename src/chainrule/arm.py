@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule import arms as embedded
-from chainrule.description import Description, Orthogonal3R, Planar, with_limits
+from chainrule.description import Description, Inertia, Orthogonal3R, Planar, with_inertias, with_limits
 from chainrule.errors import InputError
 from chainrule.evaluators import Evaluator, Evaluators
 from chainrule.readers import dh, families, read
@@ -47,6 +47,26 @@ def _likely(name: str, group: str) -> bool:
     if name.startswith("step_"):
         return group == f"redundancy_{name.removeprefix('step_')}"
     return name.startswith(group) or name.endswith(group)
+
+
+_FLOAT = np.dtype(np.float32)  # comparing types is quicker than comparing with a class
+
+
+def _single(*arrays: Any) -> bool:
+    """Whether all of these are arrays of float32."""
+    for array in arrays:  # noqa: SIM110  # a generator would take as long as the evaluation
+        if getattr(array, "dtype", None) != _FLOAT:
+            return False
+    return True
+
+
+def _given(value: Any, default: Array, single: bool) -> Any:
+    """An argument or its default; Python's own numbers take the type of the arrays beside them, as NumPy has it."""
+    if value is None:
+        return default
+    if single and isinstance(value, list | tuple) and all(isinstance(entry, int | float) for entry in value):
+        return np.asarray(value, _FLOAT)
+    return value
 
 
 class Arm:
@@ -154,6 +174,19 @@ class Arm:
             )
         )
 
+    def with_inertias(self, inertias: Sequence[Inertia | None]) -> Arm:
+        """A copy with other link inertias, one :class:`chainrule.description.Inertia` (or None) for each joint.
+
+        Raises:
+            DescriptionError: on a wrong number of entries, or an inertia that no body has.
+
+        Example:
+            >>> rod = Inertia(2.0, (0.5, 0.0, 0.0), ((0.0, 0.0, 0.0), (0.0, 0.2, 0.0), (0.0, 0.0, 0.2)))
+            >>> float(planar("R", [1.0]).with_inertias([rod]).inverse_dynamics([0.0], [0.0], [0.0])[0])
+            9.81
+        """
+        return Arm(with_inertias(self._description, inertias))
+
     @classmethod
     def from_dh(cls, rows: Iterable[Sequence[Any]], **options: Any) -> Arm:
         """The arm of a Denavit-Hartenberg table; see :func:`chainrule.readers.dh.from_dh` for the options.
@@ -213,10 +246,10 @@ class Arm:
         """Further groups, which :meth:`prepare` leaves to their first use unless they are named.
 
         For each of the :attr:`full_rank_tasks` ``redundancy_<task>``, the step along it, and where joints are to spare
-        ``priority_<task>``, with a secondary task.
+        ``priority_<task>``, with a secondary task; ``dynamics``.
         """
         spare = (f"priority_{task}" for task in self.full_rank_tasks if self.tasks[task] < self.n)
-        return (*(f"redundancy_{task}" for task in self.full_rank_tasks), *spare)
+        return (*(f"redundancy_{task}" for task in self.full_rank_tasks), *spare, "dynamics")
 
     @property
     def full_rank_tasks(self) -> tuple[str, ...]:
@@ -246,13 +279,13 @@ class Arm:
         for group in wanted:
             self._evaluators.group(group)
 
-    def _call(self, group: str, name: str, q: Any, out: Any) -> Any:
+    def _call(self, group: str, name: str, q: Any, out: Any, *more: Any) -> Any:
         evaluator = self._evaluators.get(group, name)
         if evaluator is None:
             raise self._missing(name)
-        if self._parameters and getattr(q, "dtype", None) == np.float32:
-            return evaluator(q, *self._single_parameters, out=out)  # float32 in, float32 out
-        return evaluator(q, *self._parameters, out=out)
+        if self._parameters and _single(q, *more):
+            return evaluator(q, *self._single_parameters, *more, out=out)  # float32 in, float32 out
+        return evaluator(q, *self._parameters, *more, out=out)
 
     def _task(self, task: str | None) -> str:
         if task is None:
@@ -384,6 +417,62 @@ class Arm:
         task = self.task_of_full_rank(task)
         result: Array = self._call(task, f"null_projector_{task}", q, out)
         return result
+
+    # ---- dynamics ----------------------------------------------------------------------------------------------
+
+    def inverse_dynamics(
+        self, q: Any, qd: Any, qdd: Any, *, gravity: Any = None, wrench: Any = None, out: Array | None = None
+    ) -> Array:
+        """Joint torques (N m; prismatic joints: forces, N) of a motion, (..., n), from the description's inertias.
+
+        tau = M(q) qdd + c(q, qd) + g(q) + J(q)^T wrench, by the recursive equations of Newton and Euler (Luh, Walker
+        and Paul 1980) in the links' own axes. Rotors and friction are not in it. Every array broadcasts over its
+        leading axes; the result is float32 where q, qd and qdd are, and gravity and wrench as far as they are arrays.
+
+        Args:
+            q: (..., n) rad or m.
+            qd: (..., n) rates, rad/s or m/s.
+            qdd: (..., n) accelerations, rad/s^2 or m/s^2.
+            gravity: (..., 3) m/s^2 in the base frame; (0, 0, -9.81) when absent. Planar arms: (..., 2), by default
+                (0, -9.81), a plane that stands upright; (0, 0) for one that lies flat.
+            wrench: (..., 6) the force (N) and moment (N m, about the tip) that the tip exerts on what it touches, in
+                the base frame, as the rows of ``jacobian(q, task="pose")``; none when absent. Planar arms: (..., 3),
+                force x and y, moment.
+            out: where to put the result.
+
+        Raises:
+            InputError: joints without an inertia (see :meth:`with_inertias`), wrong shapes.
+
+        Example:
+            >>> q, still = [0.3, 0.2, -0.4, 0.5, 0.6, 0.7, -0.2, 0.1], [0.0] * 8
+            >>> load("sanchez_8r").inverse_dynamics(q, still, still)[:4].round(2)
+            array([-27.06, -1.96, -6.64, -0.47])
+        """
+        single = _single(q, qd, qdd)
+        inertias, usual, none = self._loads[single]
+        gravity, wrench = _given(gravity, usual, single), _given(wrench, none, single)
+        result: Array = self._call("dynamics", "inverse_dynamics", q, out, qd, qdd, inertias, gravity, wrench)
+        return result
+
+    @cached_property
+    def _loads(self) -> tuple[tuple[Array, Array, Array], ...]:
+        """What inverse dynamics takes beside a motion, as doubles and as floats: inertias, usual gravity, no wrench."""
+        known = self._description.inertias or (None,) * self.n
+        missing = [name for name, inertia in zip(self.joint_names, known, strict=True) if inertia is None]
+        if missing:
+            more = f" and {len(missing) - 5} more" if len(missing) > 5 else ""
+            raise InputError(
+                f"{self.name}: no inertia is known for {', '.join(missing[:5])}{more}; inverse dynamics needs that of "
+                "every joint's link (from the arm's file, or by Arm.with_inertias)"
+            )
+        planar = isinstance(self._description.geometry, Planar)
+        rows = np.array([inertia.about_origin() for inertia in known if inertia is not None])
+        flat, spatial = ([0.0, -9.81], np.zeros(3)), ([0.0, 0.0, -9.81], np.zeros(6))
+        doubles = [rows[:, [0, 1, 2, 9]] if planar else rows, *(np.array(x) for x in (flat if planar else spatial))]
+        found = tuple(tuple(np.ascontiguousarray(x, real) for x in doubles) for real in (np.float64, np.float32))
+        for array in (array for arrays in found for array in arrays):
+            array.flags.writeable = False
+        return found  # type: ignore[return-value]  # three each
 
 
 def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | None = None) -> Arm:

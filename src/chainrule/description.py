@@ -113,11 +113,33 @@ class Transform:
 
 @dataclass(frozen=True, slots=True)
 class Inertia:
-    """Mass (kg), centre of mass (m) and inertia about the centre (kg m^2), in the link's joint frame."""
+    """Mass (kg), centre of mass (m) and inertia about the centre (kg m^2), in the link's joint frame.
+
+    That frame moves with the joint, whose axis is its z. A planar arm's lies in the plane instead: x along the heading,
+    the origin at the revolute joint, or for a prismatic one theta_i along the heading from where it is mounted, so that
+    the next joint is at (l_i, 0); of its inertia only the mass, the centre's x and y and the moment about z count.
+    """
 
     mass: float
     centre: Vector3
     tensor: Matrix3
+
+    def about_origin(self) -> tuple[float, ...]:
+        """The ten numbers that dynamics are linear in: m, m c (3), tensor about the frame's origin (6).
+
+        The tensor's entries are xx, xy, xz, yy, yz, zz; I_o = I + m (|c|^2 E - c c^T), the parallel-axis theorem.
+
+        Example:
+            >>> Inertia(2.0, (0.5, 0.0, 0.0), ((0.1, 0.0, 0.0), (0.0, 0.1, 0.0), (0.0, 0.0, 0.1))).about_origin()
+            (2.0, 1.0, 0.0, 0.0, 0.1, 0.0, 0.0, 0.6, 0.0, 0.6)
+        """
+        c, square = self.centre, math.fsum(x * x for x in self.centre)
+        turning = (
+            self.tensor[i][j] + self.mass * ((square if i == j else 0.0) - c[i] * c[j])
+            for i in range(3)
+            for j in range(i, 3)
+        )
+        return (self.mass, *(self.mass * x for x in c), *turning)
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,6 +156,13 @@ class Joint:
     velocity: float | None = None
     acceleration: float | None = None
     torque: float | None = None
+
+    @property
+    def middle_and_narrowness(self) -> tuple[float, float]:
+        """The middle of its range, and 1 / half its width; 0 and 0 without limits that are apart."""
+        low, high = self.position or (0.0, 0.0)
+        bounded = math.isfinite(low) and math.isfinite(high) and low < high
+        return (low / 2 + high / 2, 1 / (high / 2 - low / 2)) if bounded else (0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -364,6 +393,17 @@ def with_limits(
             limit = {what: _limit(what, entry, f"{what} limit of joint {i + 1}")}
             joints[i] = replace(joints[i], **limit)  # type: ignore[arg-type]  # one limit by its field's name
     return replace(description, joints=tuple(joints))
+
+
+def with_inertias(description: Description, inertias: Sequence[Inertia | None]) -> Description:
+    """A copy with the given link inertias, one for each joint, None where unknown.
+
+    Raises:
+        DescriptionError: on a wrong number of entries, or an inertia that no body has.
+    """
+    if not isinstance(inertias, Sequence) or not all(isinstance(body, Inertia | None) for body in inertias):
+        raise DescriptionError(f"inertias: {shown(inertias)}; one Inertia, or None, per joint is accepted")
+    return replace(description, inertias=tuple(inertias))
 
 
 def _limit(what: str, entry: object, where: str) -> object:

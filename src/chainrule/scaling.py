@@ -234,19 +234,30 @@ class TimeScaling:
 
         Where the acceleration jumps, that of the later phase.
         """
-        t = np.clip(real_array(t, "t"), 0.0, self.duration)
+        s, rate, u, k = self._along(t)
         if not len(self.accelerations):
-            start = np.broadcast_to(self.path.pieces[0, 0], (*t.shape, self.path.n))
+            start = np.broadcast_to(self.path.pieces[0, 0], (*s.shape, self.path.n))
             return start, np.zeros_like(start), np.zeros_like(start)
-        k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.accelerations) - 1)
-        late, u = t - self.times[k], self.accelerations[k]
-        s = self.positions[k] + late * (self.speeds[k] + late * u / 2.0)
-        s = np.clip(s, self.positions[k], self.positions[k + 1])
-        rate = (self.speeds[k] + late * u)[..., None]
+        rate = rate[..., None]
         middle = (self.positions[k] + self.positions[k + 1]) / 2.0
         piece = np.clip(np.searchsorted(self.path.breaks, middle, side="right") - 1, 0, len(self.path.pieces) - 1)
         q, slope, bend = (self.path.at(s, order, piece) for order in (0, 1, 2))
         return q, slope * rate, bend * rate**2 + slope * u[..., None]
+
+    def along(self, t: Any) -> tuple[Array, Array]:
+        """Where on the path the run is at times t (m,) in s, and how fast: s and s_t, each (m,); t is clipped."""
+        return self._along(t)[:2]
+
+    def _along(self, t: Any) -> tuple[Array, Array, Array, Array]:
+        """Position, speed and acceleration along the path, and the phase, at times t (m,)."""
+        t = np.clip(real_array(t, "t"), 0.0, self.duration)
+        if not len(self.accelerations):
+            still = np.zeros(t.shape)
+            return still + self.path.breaks[0], still, still, np.zeros(t.shape, int)
+        k = np.clip(np.searchsorted(self.times, t, side="right") - 1, 0, len(self.accelerations) - 1)
+        late, u = t - self.times[k], self.accelerations[k]
+        s = self.positions[k] + late * (self.speeds[k] + late * u / 2.0)
+        return np.clip(s, self.positions[k], self.positions[k + 1]), self.speeds[k] + late * u, u, k
 
     def to_dict(self) -> dict[str, Any]:
         """Plain numbers and lists."""

@@ -76,7 +76,7 @@ def aspect_of(regional: Regional, q: Any) -> Array:
     """The aspect of every configuration ``q`` (..., 3): its label, or -1 where it is singular to within rounding."""
     given = configurations(q, "q")
     theta = regional.to_normal(given)
-    det = determinant(regional, theta[..., 1], theta[..., 2])
+    det = regional.determinant(theta[..., 1], theta[..., 2])
     labels = np.full(det.shape, -1)
     offset = -regional.offsets[2]  # joint 3 is never reversed
     for aspect in aspects(regional):
@@ -106,13 +106,6 @@ def same_aspect(regional: Regional, a: Any, b: Any) -> Array:
     """Whether configurations ``a`` and ``b`` (..., 3) can be joined without a singularity; leading axes broadcast."""
     first, second = (aspect_of(regional, configurations(q, name)) for q, name in ((a, "a"), (b, "b")))
     found: Array = (first == second) & (first >= 0)
-    return found
-
-
-def determinant(regional: Regional, theta2: Any, theta3: Any) -> Array:
-    """det J at angles of the normal form, from the generated terms; both broadcast."""
-    a, b, c = np.moveaxis(regional.determinant_terms(theta3), -1, 0)
-    found: Array = a * np.cos(theta2) + b * np.sin(theta2) + c
     return found
 
 

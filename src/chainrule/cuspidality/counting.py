@@ -42,23 +42,16 @@ class PostureCount:
 
 
 def discriminant_signs(e: Any) -> tuple[int, int, int]:
-    """Signs of the discriminant D, P = 8 a c - 3 b^2 and Q of a quartic a t^4 + b t^3 + .. given lowest power first.
+    """Signs of the discriminant of a quartic, lowest power first, and of the two that tell four real roots from none.
 
-    With Q = 64 a^3 e - 16 a^2 c^2 + 16 a b^2 c - 16 a^2 b d - 3 b^4 and a not 0 (E. L. Rees, "Graphical discussion of
-    the roots of a quartic equation", American Mathematical Monthly 29, 1922): two real roots where D < 0, four where
-    D > 0 and P, Q < 0, none where D > 0 otherwise.
+    With e[4] not 0 (``chainrule.derive.quartic``): two real roots where the first is negative, four where it is
+    positive and the others are negative, none where it is positive otherwise. Where the first is negative the others
+    are 0.
     """
-    from chainrule.cuspidality.invariants import invariants
-
-    e0, e1, e2, e3, e4 = e
-    first, second = invariants(e)
-    discriminant = 4 * first * first * first - second * second
-    if discriminant < 0:
-        return -1, 0, 0
-    p = 8 * e4 * e2 - 3 * e3 * e3
-    square = e4 * e4
-    q = 64 * square * e4 * e0 - 16 * square * (e2 * e2 + e3 * e1) + 16 * e4 * e3 * e3 * e2 - 3 * e3 * e3 * e3 * e3
-    return sign(discriminant), sign(p), sign(q)
+    coefficients = np.empty(5, object)
+    coefficients[:] = list(e)
+    discriminant, below, apart = exact_function("quartic_invariants")(coefficients)[1]
+    return (-1, 0, 0) if discriminant < 0 else (sign(discriminant), sign(below), sign(apart))
 
 
 def count_postures(arm: Any, target: Any) -> PostureCount:

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.cuspidality.aspects import aspect_of, determinant
+from chainrule.cuspidality.aspects import aspect_of
 from chainrule.cuspidality.normal_form import Regional
 from chainrule.cuspidality.singular_curves import singular_curves
 
@@ -62,7 +62,7 @@ def example(regional: Regional, cusps: Array) -> Example | None:
     places = places[places[:, 0] > 0.0]
     theta = regional.section_postures(np.stack([places[:, 0], np.zeros(len(places)), places[:, 1]], axis=-1))
     labels = aspect_of(regional, regional.from_normal(theta))
-    size = np.abs(determinant(regional, theta[..., 1], theta[..., 2]))
+    size = np.abs(regional.determinant(theta[..., 1], theta[..., 2]))
     best, found = 0.0, None
     for i, j in combinations(range(theta.shape[1]), 2):
         least = np.where((labels[:, i] == labels[:, j]) & (labels[:, i] >= 0), np.minimum(size[:, i], size[:, j]), 0.0)
@@ -73,7 +73,7 @@ def example(regional: Regional, cusps: Array) -> Example | None:
         return None
     place, i, j = found
     pair = theta[place, [i, j]]
-    sign = int(np.sign(determinant(regional, pair[0, 1], pair[0, 2])))
+    sign = int(np.sign(regional.determinant(pair[0, 1], pair[0, 2])))
     return Example(places[place], regional.from_normal(pair), sign)
 
 

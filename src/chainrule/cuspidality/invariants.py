@@ -1,11 +1,9 @@
 """The number of cusps a second time, from the invariants of the quartic: nothing is shared with the cusp polynomial.
 
-With the quartic e0 + e1 t + .. + e4 t^4 of a target, its coefficients polynomials of R = rho^2 + z^2 and z,
-    I = 12 e0 e4 - 3 e1 e3 + e2^2,   J = 72 e0 e2 e4 + 9 e1 e2 e3 - 27 (e0 e3^2 + e4 e1^2) - 2 e2^3
-are its invariants. They vanish together exactly at a root of multiplicity three or four (D. Hilbert, "Theory of
-algebraic invariants"). A resultant eliminates R. Where what is left, a polynomial in z (in z^2 where alpha2 = +-90
-deg), has simple roots only, each real one belongs to one real R: a cusp, and no root of multiplicity four is among
-them.
+The coefficients of a target's quartic are polynomials of R = rho^2 + z^2 and z, and so are its invariants I and J
+(``chainrule.derive.quartic``). They vanish together exactly at a root of multiplicity three or four. A resultant
+eliminates R. Where what is left, a polynomial in z (in z^2 where alpha2 = +-90 deg), has simple roots only, each real
+one belongs to one real R: a cusp, and no root of multiplicity four is among them.
 """
 
 from __future__ import annotations
@@ -21,21 +19,6 @@ from chainrule.description import REGIONAL_3R
 
 #: Directions in the plane of R and z that are tried until no two solutions fall together.
 _SLANTS = (0, 1, -2, 3)
-
-
-def invariants(quartic: Any) -> tuple[Any, Any]:
-    """I and J of a quartic given by its five coefficients, of any kind that can be added and multiplied.
-
-    Example:
-        >>> invariants([1, 4, 6, 4, 1]), invariants([1, 0, 0, 0, 1])
-        ((0, 0), (12, 0))
-    """
-    e0, e1, e2, e3, e4 = quartic
-    cubic = e0 * e3 * e3 + e4 * e1 * e1
-    return (
-        12 * e0 * e4 - 3 * e1 * e3 + e2 * e2,
-        72 * e0 * e2 * e4 + 9 * e1 * e2 * e3 - 27 * cubic - 2 * e2 * e2 * e2,
-    )
 
 
 def cusps_by_invariants(arm: Any) -> int | None:
@@ -61,7 +44,8 @@ def cusps_by_invariants(arm: Any) -> int | None:
         height = z + slant * whole
         target = np.empty((1, 2), object)  # a leading axis: NumPy takes a lone polynomial for a sequence
         target[0, 0], target[0, 1] = whole - height * height, height
-        first, second = invariants(exact_function("quartic", model)(given, target)[0])
+        quartic = exact_function("quartic", model)(given, target)
+        first, second = exact_function("quartic_invariants")(quartic)[0][0]
         left = {int(power[1]): value for power, value in first.resultant(second, "R").to_dict().items()}
         step = 2 if even else 1
         eliminant = fmpq_poly([left.get(step * k, 0) for k in range(max(left, default=0) // step + 1)])

@@ -222,7 +222,8 @@ def _on_second_axis(parameters: Array) -> Iterator[Node]:
     ca3, (d3, d4), r3 = parameters[2], parameters[5:7], parameters[8]
     if ca3 != 0 or r3 != 0 or abs(d4) < abs(d3):
         return
-    f1 = fmpq_poly([d3 + d4, 0, d3 - d4])  # d3 + d4 cos(theta3), times 1 + t^2
+    constant, square = exact_function("second_axis")(parameters)
+    f1 = fmpq_poly([constant, 0, square])
     lengths = orthogonal_lengths(parameters)
     if lengths is None:
         reduced = fmpq_poly(list(exact_function("aspect_polynomial")(parameters))) // (f1 * f1)

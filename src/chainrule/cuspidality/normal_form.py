@@ -157,16 +157,17 @@ class Regional:
 
     def determinant_terms(self, theta3: Any) -> Array:
         """a, b, c (..., 3) of det J = a cos(theta2) + b sin(theta2) + c, of the arm's own det J in m^3."""
-        theta3 = np.asarray(theta3, float)
-        elbow = np.stack([np.cos(theta3), np.sin(theta3)], axis=-1)
-        found: Array = self.orientation * evaluator("determinant_terms")(self.values, elbow)
+        found: Array = self.orientation * evaluator("determinant_terms")(self.values, *_turns(theta3))
+        return found
+
+    def determinant(self, theta2: Any, theta3: Any) -> Array:
+        """The arm's own det J (...), m^3, at angles of the normal form; both broadcast."""
+        found: Array = self.orientation * evaluator("determinant")(self.values, *_turns(theta2, theta3))
         return found
 
     def image(self, theta2: Any, theta3: Any) -> Array:
         """(rho, z) (..., 2) of angles of the normal form, m."""
-        angles = np.broadcast_arrays(np.asarray(theta2, float), np.asarray(theta3, float))
-        turns = [np.stack([np.cos(angle), np.sin(angle)], axis=-1) for angle in angles]
-        found: Array = evaluator("image")(self.values, *turns)
+        found: Array = evaluator("image")(self.values, *_turns(theta2, theta3))
         found[..., 0] = np.sqrt(found[..., 0])
         return found
 
@@ -206,6 +207,11 @@ class Regional:
         found: Array = self.orientation * self.exactly("determinant_terms", elbows)
         return found
 
+    def exact_determinant(self, shoulders: Any, elbows: Any) -> Array:
+        """As :meth:`determinant`, exactly, from cosines and sines (..., 2) of theta2 and theta3."""
+        found: Array = self.orientation * self.exactly("determinant", shoulders, elbows)
+        return found
+
 
 # ---- generated functions -----------------------------------------------------------------------------------------
 
@@ -228,6 +234,12 @@ def exact_function(name: str, model: Model = REGIONAL_3R) -> Callable[..., Any]:
     """The generated NumPy code of a function whose operations are exact on fractions and sound on balls."""
     code: Callable[..., Any] = run_path(str(compiling.find(model, "cuspidality").numpy_module))[name]
     return code
+
+
+def _turns(*angles: Any) -> list[Array]:
+    """(cos, sin) (..., 2) of each angle; all broadcast."""
+    every = np.broadcast_arrays(*(np.asarray(angle, float) for angle in angles))
+    return [np.stack([np.cos(angle), np.sin(angle)], axis=-1) for angle in every]
 
 
 def _objects(values: Any) -> Array:

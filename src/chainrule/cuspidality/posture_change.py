@@ -7,7 +7,7 @@ is never less than at the worse of the two postures or in the narrowest place th
 then tightened like an elastic band that the singularities push away, as long as it keeps three quarters of that.
 
 The path is a cubic B-spline, twice continuously differentiable. The sign of det J is proved along all of it in ball
-arithmetic: every polynomial piece is cut until the generated terms, run on balls that hold the piece, keep away from
+arithmetic: every polynomial piece is cut until the generated det J, run on balls that hold the piece, keeps away from
 zero (:mod:`chainrule.cuspidality.certified_path`).
 """
 
@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.balls import exact
-from chainrule.cuspidality.aspects import TURN, Aspect, aspect_of, aspects, determinant, zero
+from chainrule.cuspidality.aspects import TURN, Aspect, aspect_of, aspects, zero
 from chainrule.cuspidality.certified_path import SignProof, bezier, certify_sign, knots, sample
 from chainrule.cuspidality.normal_form import Regional
 from chainrule.errors import InputError
@@ -168,7 +168,7 @@ def _configuration(q: Any, name: str) -> Array:
 def _why_not(regional: Regional, start: Array, goal: Array, labels: Array, every: tuple[Aspect, ...]) -> str:
     """In words."""
     theta = regional.to_normal(np.stack([start, goal]))
-    dets = determinant(regional, theta[:, 1], theta[:, 2])
+    dets = regional.determinant(theta[:, 1], theta[:, 2])
     singular = [name for name, label in zip(("start", "goal"), labels, strict=True) if label < 0]
     if singular:
         which = " and ".join(f"the {name}" for name in singular)
@@ -258,7 +258,7 @@ def _spine(regional: Regional, sign: int, theta3: Array, first: float, last: flo
 
 def _least(regional: Regional, sign: int, line: Array) -> float:
     """The least s det J at points (k, 2) of (theta2, theta3)."""
-    return float((sign * determinant(regional, line[:, 0], line[:, 1])).min())
+    return float((sign * regional.determinant(line[:, 0], line[:, 1])).min())
 
 
 # ---- the spline ----------------------------------------------------------------------------------------------------
@@ -285,11 +285,11 @@ def _tightened(regional: Regional, sign: int, points: Array, floor: float) -> Ar
     best, now = points, points.copy()
     for _ in range(ROUNDS):
         x, y = now[1:-1, 0], now[1:-1, 1]
-        middle = sign * determinant(regional, x, y)
+        middle = sign * regional.determinant(x, y)
         slope = np.stack(
             [
-                sign * (determinant(regional, x + h, y) - determinant(regional, x - h, y)),
-                sign * (determinant(regional, x, y + h) - determinant(regional, x, y - h)),
+                sign * (regional.determinant(x + h, y) - regional.determinant(x - h, y)),
+                sign * (regional.determinant(x, y + h) - regional.determinant(x, y - h)),
             ],
             axis=-1,
         ) / (2.0 * h)
@@ -328,8 +328,6 @@ def certified(regional: Regional, control: Array) -> SignProof:
         turns = np.empty((len(q), 2, 2), object)
         for place, angle in np.ndenumerate(theta):
             turns[place] = angle.cos(), angle.sin()
-        terms = regional.exact_determinant_terms(turns[:, 1])
-        found: Array = terms[:, 0] * turns[:, 0, 0] + terms[:, 1] * turns[:, 0, 1] + terms[:, 2]
-        return found
+        return regional.exact_determinant(turns[:, 0], turns[:, 1])
 
     return certify_sign(on_balls, bezier(control[:, 1:], DEGREE))

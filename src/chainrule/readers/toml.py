@@ -38,7 +38,8 @@ The whole schema::
     acceleration = 300                 # per s^2
     torque = 320                       # N m, or N for a prismatic joint
 
-    [joints.inertia]                   # of the link that the joint moves, in the joint's own moved frame; only with dh
+    [joints.inertia]                   # of the link that the joint moves, in the joint's own moved frame (for planar
+                                       # arms see chainrule.description.Inertia)
     mass = 3.0                         # kg
     centre = [0, 0, 0.1]               # m
     ixx = 0.01                         # kg m^2 about the centre; all six required
@@ -121,10 +122,7 @@ def from_toml(content: bytes) -> Description:
     description = _arm(table, angle)
     joints = _joints(table, description.n)
     if any("inertia" in joint for joint in joints):
-        if "dh" not in table:
-            raise DescriptionError("[[joints]]: inertia is accepted with [dh] only, whose rows fix its frames")
-        inertias = tuple(_inertia(joint, i) for i, joint in enumerate(joints, 1))
-        description = replace(description, inertias=inertias)
+        description = replace(description, inertias=tuple(_inertia(joint, i) for i, joint in enumerate(joints, 1)))
     return with_limits(description, **_limits(joints, description.kinds, limit_angle))
 
 

@@ -43,8 +43,8 @@ class Batch:
         dt: (d,) s.
         min_manipulability: (b, g, d) the smallest w at a sample of the run; of one that diverged until then.
         peak_rate: (b, g, d) the largest joint rate, rad/s or m/s; likewise.
-        peak_acceleration: (b, g, d) the largest change of a joint rate from sample to sample, over dt, rad/s^2 or m/s^2;
-            likewise. A gain too large for the step shows here first: the rates change sign at every sample.
+        peak_acceleration: (b, g, d) the largest change of a joint rate from sample to sample, over dt, rad/s^2 or
+            m/s^2; likewise. A gain too large for the step shows here first: the rates change sign at every sample.
         worst_position_error: (b, g, d) m; likewise.
         final_position_error: (b, g, d) m, at the end of the path; nan where the run diverged.
         final_orientation_error: (b, g, d) rad; likewise; 0 where the orientation is free.

@@ -75,7 +75,7 @@ def measured(
     if accelerations is None:
         accelerations = differences(t, rates)
     torque = None
-    if has_inertias(arm) and hasattr(arm, "inverse_dynamics"):
+    if has_inertias(arm):
         torque = arm.inverse_dynamics(q, rates, accelerations, gravity=gravity, wrench=wrench)
     away, turned = errors(arm, task, found.error)
     everything = [*events, *nearing(t, found.manipulability, near)]

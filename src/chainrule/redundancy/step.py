@@ -200,11 +200,7 @@ class Stepper:
         n, m = arm.n, arm.tasks[self.task]
         settings = np.array([(*one._settings(), 0.0) for one in laws])
         mobility = np.array([[1.0 / np.sqrt(w) for w in one.weights or (1.0,) * n] for one in laws])
-        low, high = arm.limits.position.T
-        bounded = np.isfinite(low) & np.isfinite(high) & (high > low)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            middle = np.where(bounded, (low + high) / 2, 0.0)
-            narrowness = np.where(bounded, 2.0 / (high - low), 0.0)
+        middle, narrowness = np.array([joint.middle_and_narrowness for joint in arm.description.joints]).T
         if isinstance(self.law, Law):
             settings, mobility = settings[0], mobility[0]
         fixed = (

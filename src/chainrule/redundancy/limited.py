@@ -1,0 +1,419 @@
+"""Following a path inside limits of joint position, velocity and acceleration, exactly and step by step.
+
+The rates of a step of length dt are constant. They have to lie in the box of
+
+- the velocity limits: |rate| <= V;
+- the acceleration limits: |rate - rate of the step before| <= A dt;
+- the position limits, so that the joint can always still stop: with rate r in this step and the largest deceleration in
+  the following ones the joint goes on by dt ((N + 1) r - A dt N (N + 1) / 2), N = floor(r / (A dt)), which must not
+  exceed the room left. Solved for r: r <= room / ((N + 1) dt) + A dt N / 2 with N the largest whole number for which
+  A dt^2 N (N + 1) / 2 <= room. Without an acceleration limit r <= room / dt.
+
+A box that holds now is never empty in the next step. In it the quadratic program
+
+    least (rates - null motion)^T W (rates - null motion) + rho (share - wanted share)^2
+    with J rates = share * (task velocity of the law), 0 <= share <= 1
+
+is solved (DAQP, a dual active-set method, through CasADi), rho so large that as much of the task velocity as possible
+comes first. Where the law's own rates fit, they are its solution, and no program is solved. The path is then run at
+that share of its speed: it is scaled, never left.
+
+Acceleration limits can make a step impossible at any speed, because the arm should have slowed down before. Then the
+run goes back, asks for half of the speed (of the null motion too) from there on, and tries again, over a stretch that
+doubles from failure to failure, up to what it takes to stop. If that does not help, the run stops and says why.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from chainrule.arm import Arm, Limits
+from chainrule.errors import InputError
+from chainrule.redundancy.asked import Extras
+from chainrule.redundancy.measure import measured
+from chainrule.redundancy.result import Event, Run, Status
+from chainrule.redundancy.stability import gain_event
+from chainrule.redundancy.step import Law, Stepper
+from chainrule.redundancy.task_path import TaskPath
+
+Array = NDArray[Any]
+
+#: Weight of the share against the rates, in units of the law's largest rate squared: lexicographic but for 1e-6.
+FIRST = 1e6
+#: The task velocity must be met to this, relative to the largest rate times the largest entry of J.
+MET = 1e-6
+#: A run whose speed is on average below this share, over this share of the path's steps (50 at least), has come to a
+#: standstill.
+STANDS, PATIENCE = 1e-2, 0.5
+#: It goes back so often at most, and asks for no less than this share of the speed.
+#: Failures in one place at that speed are the end.
+RETURNS, SLOWEST, STUCK = 200, 5e-2, 2
+#: A stretch asked to be slower begins so many steps before the failure, at first.
+BACK = 4
+#: A rate this near to its bound (relative to the box) is at it.
+AT = 1e-9
+#: What happens again after so many samples or fewer is one event.
+APART = 10
+
+KINDS = ("velocity", "acceleration", "position")
+
+
+@dataclass(frozen=True)
+class Box:
+    """What the limits leave of the rates in one step.
+
+    Attributes:
+        low, high: (n,) rad/s or m/s.
+        low_kind, high_kind: (n,) indices in :data:`KINDS` of the limit behind each.
+    """
+
+    low: Array
+    high: Array
+    low_kind: Array
+    high_kind: Array
+
+
+def braking(room: Array, most: Array, dt: float) -> Array:
+    """The largest rate (n,) after which a joint can still stop within ``room`` (n,).
+
+    Args:
+        room: to the limit, rad or m; infinite where there is none.
+        most: acceleration limits (n,), infinite where there is none.
+        dt: s.
+
+    Example:
+        >>> braking(np.array([0.3, 0.3]), np.array([np.inf, 10.0]), 0.1)   # 0.1 * (2 + 1) = 0.3
+        array([3., 2.])
+    """
+    room = np.maximum(room, 0.0)
+    with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
+        unit = most * dt**2
+        count = np.floor((np.sqrt(1.0 + 8.0 * room / unit) - 1.0) / 2.0)
+        slowing = room / ((count + 1.0) * dt) + most * dt * count / 2.0
+    free = ~np.isfinite(room)
+    found = np.where(np.isfinite(most), slowing, room / dt)
+    return np.where(free, np.inf, found)
+
+
+def box(limits: Limits, q: Array, before: Array | None, dt: float) -> Box:
+    """The box of the rates (n,) at q (n,), after a step at the rates ``before`` (any, where they are None)."""
+    velocity, most = limits.velocity, limits.acceleration
+    below, above = limits.position.T
+    ups = [velocity, braking(above - q, most, dt)]
+    downs = [-velocity, -braking(q - below, most, dt)]
+    if before is None:
+        reach = np.full(len(q), np.inf)
+        middle = np.zeros(len(q))
+    else:
+        reach, middle = most * dt, before
+    ups.insert(1, middle + reach)
+    downs.insert(1, middle - reach)
+    up, down = np.stack(ups), np.stack(downs)
+    high_kind, low_kind = up.argmin(axis=0), down.argmax(axis=0)
+    high, low = up.min(axis=0), down.max(axis=0)
+    return Box(np.minimum(low, high), high, low_kind, high_kind)  # they cross by rounding only
+
+
+class Program:
+    """The quadratic program of a step, for n joints and m rows.
+
+    Args:
+        n: joints.
+        m: rows.
+        weights: (n,) finite where a joint may move; infinite where it stands still.
+    """
+
+    def __init__(self, n: int, m: int, weights: Array) -> None:
+        import casadi
+
+        self.n = n
+        self.weights = np.where(np.isfinite(weights), weights, 1.0)
+        self.still = ~np.isfinite(weights)
+        shape = {"h": casadi.Sparsity.diag(n + 1), "a": casadi.Sparsity.dense(m, n + 1)}
+        self._solver = casadi.conic("step", "daqp", shape, {"error_on_fail": False})
+
+    def __call__(
+        self, jacobian: Array, velocity: Array, null: Array, room: Box, wanted: float
+    ) -> tuple[Array, float] | None:
+        """Rates (n,) and the share of the velocity (m,): the one wanted, or the nearest to it that there is.
+
+        Args:
+            jacobian: (m, n).
+            velocity: (m,) of the law.
+            null: (n,) the null motion that is wanted.
+            room: the box.
+            wanted: share, 0 to 1.
+
+        Returns:
+            None where there is no solution.
+        """
+        return self._solved(jacobian, velocity, null, room, wanted, True) or self._solved(
+            jacobian, velocity, null, room, wanted, False
+        )
+
+    def _solved(
+        self, jacobian: Array, velocity: Array, null: Array, room: Box, wanted: float, exactly: bool
+    ) -> tuple[Array, float] | None:
+        low, high = np.where(self.still, 0.0, room.low), np.where(self.still, 0.0, room.high)
+        size = max(float(np.abs(null).max(initial=0.0)), float(np.abs(velocity).max(initial=0.0)), 1e-9)
+        first = FIRST * size**2 * float(self.weights.max())
+        found = self._solver(
+            h=np.append(self.weights, first),
+            g=np.append(-self.weights * null, -first * wanted),
+            a=np.column_stack([jacobian, -velocity]),
+            lba=0.0,
+            uba=0.0,
+            lbx=np.append(low, wanted if exactly else 0.0),
+            ubx=np.append(high, wanted if exactly else 1.0),
+        )
+        if not self._solver.stats()["success"]:
+            return None
+        x = np.asarray(found["x"]).ravel()
+        if not np.isfinite(x).all():
+            return None
+        rates, share = np.clip(x[:-1], low, high), wanted if exactly else float(np.clip(x[-1], 0.0, 1.0))
+        missed = np.abs(jacobian @ rates - share * velocity).max(initial=0.0)
+        scale = float(np.abs(jacobian).max()) * max(float(np.abs(rates).max()), 1e-9)
+        return (rates, share) if missed <= MET * scale else None
+
+
+@dataclass
+class _Log:
+    """What was done so far; going back drops its end."""
+
+    along: list[float] = field(default_factory=list)  # the path's own time
+    q: list[Array] = field(default_factory=list)
+    rates: list[Array] = field(default_factory=list)
+    share: list[float] = field(default_factory=list)
+    touched: list[tuple[tuple[int, str], ...]] = field(default_factory=list)
+
+    def back_to(self, count: int) -> tuple[float, Array]:
+        """Drop all but ``count`` steps; the path time and posture before the first step dropped."""
+        when, q = self.along[count], self.q[count]
+        for part in (self.along, self.q, self.rates, self.share, self.touched):
+            del part[count:]
+        return when, q
+
+
+def follow_limited(
+    stepper: Stepper,
+    path: TaskPath,
+    q0: Array,
+    dt: float,
+    method: str,
+    extras: Extras,
+    bound: float,
+    options: dict[str, Any],
+) -> Run:
+    """Follow a path inside the arm's limits; see :func:`chainrule.track`.
+
+    Raises:
+        InputError: a start outside the position limits.
+    """
+    arm, law = stepper.arm, stepper.law
+    assert isinstance(law, Law)
+    _check_start(arm, q0)
+    log, status, reason = _run(stepper, path, q0, dt, extras, bound)
+    along, q = np.array(log.along), np.array(log.q)
+    rates, share = np.array(log.rates), np.array(log.share)
+    t = dt * np.arange(len(along))
+    if status == "complete":  # the last step ends where the path does
+        t[-1] = t[-2] + (along[-1] - along[-2]) / share[-2]
+    held, velocity = path.sample(along, stepper.task)
+    step = stepper(q, held, velocity, dt, **extras.at(t, q))
+    return measured(
+        arm,
+        stepper.task,
+        method=method,
+        law=law,
+        integrator="euler",
+        dt=dt,
+        t=t,
+        q=q,
+        held=held,
+        velocity=velocity,
+        rates=rates,
+        accelerations=_accelerations(arm.limits, rates, dt),
+        scale=share,
+        step=step,
+        events=[
+            *_scaled_events(t, share),
+            *_limit_events(arm, t, log.touched),
+            *gain_event(stepper, "euler", dt, t, q, held),
+        ],
+        status=status,
+        reason=reason,
+        **options,
+    )
+
+
+def _check_start(arm: Arm, q: Array) -> None:
+    low, high = arm.limits.position.T
+    outside = np.flatnonzero((q < low) | (q > high))
+    if len(outside):
+        j = int(outside[0])
+        raise InputError(
+            f"q0, joint '{arm.joint_names[j]}': {q[j]:.6g} is outside its limits {low[j]:.6g} to {high[j]:.6g}; a "
+            "start inside them is accepted"
+        )
+
+
+def _accelerations(limits: Limits, rates: Array, dt: float) -> Array:
+    """The change of the rates from the step before, over dt; from rest at the start where accelerations are limited."""
+    before = np.zeros_like(rates[:1]) if np.isfinite(limits.acceleration).any() else rates[:1]
+    return np.asarray(np.diff(rates, axis=0, prepend=before) / dt)
+
+
+def _run(
+    stepper: Stepper, path: TaskPath, q0: Array, dt: float, extras: Extras, bound: float
+) -> tuple[_Log, Status, str]:
+    arm, task = stepper.arm, stepper.task
+    law = stepper.law
+    assert isinstance(law, Law)
+    limits, end = arm.limits, path.duration
+    rest = np.zeros(arm.n) if np.isfinite(limits.acceleration).any() else None
+    program = Program(arm.n, arm.tasks[task], np.array(law.weights or np.ones(arm.n)))
+    steps = round(end / dt)
+    caps = np.ones(steps + 1)
+    log, when, q = _Log(), 0.0, q0
+    patience = max(int(PATIENCE * steps), 50)
+    returns, back, failed_at, stuck = 0, BACK, -1.0, 0
+    while True:
+        held, velocity = path.sample([when], task)
+        t = len(log.q) * dt
+        step = stepper(q, held[0], velocity[0], dt, **({} if extras == Extras() else extras.now(t, q)))
+        if not np.isfinite(step.rates).all():
+            return _ended(log, when, q, "stopped", f"at {t:.4g} s the law gave a number that is not finite")
+        room = box(limits, q, log.rates[-1] if log.rates else rest, dt)
+        bin_now = min(int(when / dt + 1e-9), steps)
+        found = _one(
+            program, arm, task, q, step.rates, step.null_motion, room, float(caps[bin_now : bin_now + 2].min())
+        )
+        if found is None:
+            returns += 1
+            stuck = stuck + 1 if abs(when - failed_at) < dt and caps[bin_now] <= SLOWEST else 0
+            if returns > RETURNS or stuck > STUCK or not log.q:
+                return _ended(log, when, q, "stopped", _why(arm, t, q, step.manipulability, room))
+            back = min(2 * back, longest(limits, log.rates, dt)) if abs(when - failed_at) <= 2 * back * dt else BACK
+            failed_at = when
+            count = int(np.searchsorted(np.array(log.along), when - back * dt))
+            when, q = log.back_to(min(count, len(log.q) - 1))
+            first = min(int(when / dt), steps)
+            caps[first : bin_now + 2] = np.maximum(0.5 * caps[first : bin_now + 2], SLOWEST)
+            continue
+        rates, share = found
+        if np.abs(rates).max() > bound:
+            j = int(np.abs(rates).argmax())
+            text = f"joint '{arm.joint_names[j]}' would move at {abs(rates[j]):.4g}, above the bound of {bound:.4g}"
+            return _ended(log, when, q, "stopped", f"at {t:.4g} s {text}")
+        left = (end - when) / dt
+        log.along.append(when)
+        log.q.append(q)
+        log.rates.append(rates)
+        log.share.append(share)
+        log.touched.append(_touched(rates, room))
+        if len(log.q) > patience and when - log.along[-patience] < STANDS * patience * dt:
+            return _ended(log, when, q, "stopped", _why(arm, t, q, step.manipulability, room))
+        if share > 0.0 and share >= left * (1.0 - 1e-12):
+            ending = q + left / share * dt * rates
+            return _ended(log, end, ending, "complete", "the end of the path was reached")
+        when, q = when + share * dt, q + dt * rates
+
+
+def longest(limits: Limits, rates: list[Array], dt: float) -> int:
+    """How many steps the joints need at most to stop from the largest rates met so far; :data:`BACK` at least."""
+    fastest = np.abs(np.array(rates)).max(axis=0)
+    return max(int(np.ceil((fastest / limits.acceleration).max() / dt)), BACK)
+
+
+def _one(
+    program: Program, arm: Arm, task: str, q: Array, rates: Array, null: Array, room: Box, wanted: float
+) -> tuple[Array, float] | None:
+    """The rates of one step and the share of the path speed; None where the limits leave none."""
+    if wanted == 1.0 and (rates >= room.low).all() and (rates <= room.high).all():
+        return rates, 1.0
+    jacobian = arm.jacobian(q, task=task)
+    return program(jacobian, jacobian @ (rates - null), wanted * null, room, wanted)
+
+
+def _ended(log: _Log, when: float, q: Array, status: Status, reason: str) -> tuple[_Log, Status, str]:
+    """The log with a last sample, at which the last rates still hold."""
+    rates = log.rates[-1] if log.rates else np.zeros_like(q)
+    log.along.append(when)
+    log.q.append(q)
+    log.rates.append(rates)
+    log.share.append(log.share[-1] if log.share else 0.0)
+    log.touched.append(())
+    return log, status, reason
+
+
+def _touched(rates: Array, room: Box) -> tuple[tuple[int, str], ...]:
+    """The joints at a bound of the box, and of which limit."""
+    with np.errstate(invalid="ignore"):
+        margin = AT * np.maximum(np.abs(rates), 1e-9)
+        at_high, at_low = rates >= room.high - margin, rates <= room.low + margin
+    found = [(int(j), KINDS[int(room.high_kind[j])]) for j in np.flatnonzero(at_high)]
+    return tuple(found + [(int(j), KINDS[int(room.low_kind[j])]) for j in np.flatnonzero(at_low & ~at_high)])
+
+
+def _why(arm: Arm, t: float, q: Array, w: Any, room: Box) -> str:
+    """The reason of a standstill: the joints at their position limits, or the one with the least room."""
+    low, high = arm.limits.position.T
+    with np.errstate(invalid="ignore"):
+        margin = 1e-6 * np.maximum(1.0, np.abs(q))
+        at = np.flatnonzero((q <= low + margin) | (q >= high - margin))
+    if len(at):
+        names = ", ".join(f"'{arm.joint_names[j]}'" for j in at)
+        cause = f"at its position limit is joint {names}"
+    else:
+        width = room.high - room.low
+        tight = int(np.argmin(np.where(np.isfinite(width), width, np.inf)))
+        kinds = sorted({KINDS[int(room.low_kind[tight])], KINDS[int(room.high_kind[tight])]})
+        cause = (
+            f"no joint is at its position limit; least room has joint '{arm.joint_names[tight]}' ({', '.join(kinds)})"
+        )
+    return f"at {t:.4g} s the limits leave no motion along the path to speak of: {cause}"
+
+
+def _scaled_events(t: Array, share: Array) -> list[Event]:
+    """One event for every stretch that is run more slowly."""
+    return [
+        Event(
+            float(t[first]),
+            "task scaled",
+            f"the path is run at {100.0 * share[first : last + 1].min():.3g} % of its speed until {t[last + 1]:.4g} s",
+        )
+        for first, last in _stretches(share[:-1] < 1.0 - 1e-9)
+    ]
+
+
+def _limit_events(arm: Arm, t: Array, touched: list[tuple[tuple[int, str], ...]]) -> list[Event]:
+    """One event for every stretch in which a joint is at a limit."""
+    found = []
+    for joint, kind in sorted({pair for pairs in touched for pair in pairs}):
+        mask = np.array([(joint, kind) in pairs for pairs in touched])
+        for first, last in _stretches(mask):
+            found.append(
+                Event(
+                    float(t[first]),
+                    "limit met",
+                    f"joint '{arm.joint_names[joint]}' is at its {kind} limit until {t[last + 1]:.4g} s",
+                )
+            )
+    return found
+
+
+def _stretches(mask: Array) -> list[tuple[int, int]]:
+    """First and last index of every run of true entries, those less than :data:`APART` apart as one."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
+    found: list[tuple[int, int]] = []
+    for first, beyond in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+        if found and first - found[-1][1] <= APART:
+            found[-1] = (found[-1][0], beyond - 1)
+        else:
+            found.append((first, beyond - 1))
+    return found
