@@ -77,7 +77,7 @@ def test_what_is_printed(call):
     code, out, err = call("sanchez_8r", "--path", "sanchez-arc", "--gain", "-2", "--dt", "0.0067")
     assert (code, err) == (0, "")
     lines = out.splitlines()
-    assert lines[0].startswith("sanchez_8r follows the path: H ≥ 0.0194 (least at 0.8")
+    assert lines[0].startswith("sanchez_8r follows the path in 2 s: H ≥ 0.0194 (least at 0.8")
     assert lines[1].startswith("gradient projection, −2 on H^(-1/2), feedback 74.75 1/s, Euler, step 6.69 ms.")
     assert "cost of a step [µs]" in out
     assert "Torques rest on assumed link masses 3, 2.5, 2, 1.5, 1.2, 1, 0.6, 0.4 kg." in out
@@ -125,6 +125,29 @@ def test_methods_are_compared(call, tmp_path):
     assert [run["law"]["gains"] for run in told] == [{}, {"H^(-1/2)": -2.0}]
     assert told[0]["q"][0] == told[1]["q"][0]  # one start for all
     assert all(run["step_cost"] > 0.0 for run in told)
+
+
+def test_limits_are_kept_and_the_least_time_is_found(call):
+    asked = ("panda", "--circle", "0.1", "--velocity", "0.8", "--acceleration", "4", "--json")
+    code, out, err = call(*asked, "--limits")
+    assert (code, err) == (0, "")
+    run = json.loads(out)["run"]
+    rates, q, t = np.array(run["rates"]), np.array(run["q"]), np.array(run["t"])
+    assert np.abs(rates).max() <= 0.8 * (1 + 1e-9)
+    assert np.abs(np.diff(rates, axis=0)).max() <= 4.0 * run["dt"] * (1 + 1e-6)
+    np.testing.assert_allclose(np.diff(q[:-1], axis=0), np.diff(t[:-1])[:, None] * rates[:-2], atol=1e-12)
+    low, high = cr.load("panda").limits.position.T
+    assert ((low <= q) & (q <= high)).all()
+    assert run["worst_position_error"] < 1e-3
+    assert t[-1] > 2.0  # slower than asked
+    assert "task scaled" in {event["kind"] for event in run["events"]}
+    pytest.importorskip("toppra")
+    code, out, _ = call("panda", "--circle", "0.1", "--velocity", "2", "--acceleration", "10", "--json", "--fastest")
+    assert code == 0
+    run = json.loads(out)["run"]
+    assert np.abs(run["rates"]).max() <= 2.0 * (1 + 1e-6)
+    assert np.abs(run["accelerations"]).max() <= 10.0 * (1 + 1e-3)
+    assert run["t"][-1] < 2.0
 
 
 def test_a_circle_and_a_line_from_the_tip(call):
@@ -224,6 +247,9 @@ def test_paths_from_files(call, tmp_path):
         (("planar_3r", "--circle", "0.1", "--integrator", "dop853", "--forecast"), "has no forecast"),
         (("planar_3r", "--circle", "0.1", "--dt", "0"), "dt"),
         (("planar_3r", "--circle", "0.1", "--feedback", "-1"), "feedback"),
+        (("planar_3r", "--circle", "0.1", "--velocity", "1,2"), "--velocity: 2 numbers given"),
+        (("planar_3r", "--circle", "0.1", "--velocity", "-1"), "velocity"),
+        (("lenarcic_3r", "--circle", "0.1", "--fastest"), "acceleration"),
         (("planar_3r", "--circle", "0.1", "--tolerance", "0"), "--tolerance"),
         (("planar_3r", "--circle", "0.1", "--task", "dance"), "there is no task"),
         (("planar_3r", "--circle", "0.1", "--figure", "a.bmp"), ".svg, .png or .pdf"),
@@ -275,7 +301,7 @@ def test_a_run_that_stopped_and_one_sample_are_drawn(planar_run):
     single = replace(stopped, **{name: values[:1] for name, values in cut.items()})
     drawn.draw_run(single).savefig(io.BytesIO(), format="svg")
     table = words.comparison_table({"one": planar_run, "two": stopped})
-    assert [row[1] for row in table.rows] == ["complete", "stopped at 0.78 s"]
+    assert [row[1:3] for row in table.rows] == [("complete", 2.0), ("stopped", 0.78)]
     assert "µs" not in str(table)
     assert words.comparison_finding({"one": planar_run, "two": stopped}).startswith("Only one follows the path")
     assert words.comparison_finding({"two": stopped}) == "No method follows the path to its end"

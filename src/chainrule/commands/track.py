@@ -84,6 +84,15 @@ def track(
     limits: Annotated[
         bool, typer.Option("--limits", help="The same as --method limited: within the arm's limits, slower if need be.")
     ] = False,
+    velocity: Annotated[
+        str | None, typer.Option(metavar="V[,V..]", help="Velocity limits, one number or one for each joint.")
+    ] = None,
+    acceleration: Annotated[
+        str | None, typer.Option(metavar="A[,A..]", help="Acceleration limits, one number or one for each joint.")
+    ] = None,
+    fastest: Annotated[
+        bool, typer.Option("--fastest", help="Then pass the same postures in the least time, within both limits.")
+    ] = False,
     compare: Annotated[
         str | None, typer.Option(metavar="all|M,M,..", help="Several methods in one table and one figure.")
     ] = None,
@@ -108,10 +117,10 @@ def track(
 
     Example: chainrule track sanchez_8r --path sanchez-arc --gain -2 --figure track.svg
     """
-    loaded = load_arm(arm, tip, base)
+    loaded = _limited(load_arm(arm, tip, base), velocity, acceleration, deg)
     loaded.task_of_full_rank(task)
     _check(csv, compare, forecast, duration, path, tolerance)
-    chosen = _methods(compare, "limited" if limits else method, limits)
+    chosen = _methods(loaded, compare, "limited" if limits else method, limits)
     desired, posture = _path(loaded, task, path, circle, line, 2.0 if duration is None else duration, start, deg)
     options = {"task": task, "criterion": criterion, "feedback": feedback, "dt": dt, "integrator": integrator}
     if forecast:
@@ -122,7 +131,12 @@ def track(
     with progressing() as progress:
         posture = _settled(loaded, desired, posture, gain, options, chosen)
         found = {name: _followed(loaded, desired, posture, name, gain, options, progress) for name in chosen}
-    runs = {name: run for name, (run, _, _) in found.items()}
+        if fastest:
+            progress("finding the least time")
+            from chainrule.redundancy.fastest import fastest_run
+
+            found = {name: (fastest_run(run, desired), cost, note) for name, (run, cost, note) in found.items()}
+    runs = {_name(name, run): run for name, (run, _, _) in found.items()}
     costs = [cost for _, cost, _ in found.values()]
     files = _files(runs, compare is not None, figure, csv)
     if as_json:
@@ -156,7 +170,17 @@ def _check(
         raise InputError(f"--tolerance: {tolerance:g} m; a positive length is accepted")
 
 
-def _methods(compare: str | None, method: str, limits: bool) -> tuple[str, ...]:
+def _limited(arm: Arm, velocity: str | None, acceleration: str | None, deg: bool) -> Arm:
+    """The arm with the limits that were given."""
+    given: dict[str, Any] = {}
+    for name, text in (("velocity", velocity), ("acceleration", acceleration)):
+        if text is not None:
+            single = len(numbers(text, f"--{name}")) == 1
+            given[name] = configuration(",".join([text] * arm.n) if single else text, arm, deg, f"--{name}")
+    return arm.with_limits(**given) if given else arm
+
+
+def _methods(arm: Arm, compare: str | None, method: str, limits: bool) -> tuple[str, ...]:
     """The methods to run, by name."""
     names: tuple[str, ...]
     if compare is None:
@@ -164,12 +188,18 @@ def _methods(compare: str | None, method: str, limits: bool) -> tuple[str, ...]:
     elif limits:
         raise InputError("--limits is for one method; --compare takes 'limited' among its methods")
     else:
-        names = METHODS if compare == "all" else tuple(dict.fromkeys(part.strip() for part in compare.split(",")))
+        every = METHODS if _any_limits(arm) else tuple(name for name in METHODS if name != "limited")
+        names = every if compare == "all" else tuple(dict.fromkeys(part.strip() for part in compare.split(",")))
     for name in names:
         if name not in METHODS:
             what = "--method" if compare is None else "--compare"
             raise InputError(f"{what}: {shown(name)}; {', '.join(METHODS)} are accepted")
     return names
+
+
+def _any_limits(arm: Arm) -> bool:
+    limits = arm.limits
+    return any(bool(abs(each).min() < float("inf")) for each in (limits.position, limits.velocity, limits.acceleration))
 
 
 def _path(
@@ -265,6 +295,12 @@ def _followed(
     return run, cost, ""
 
 
+def _name(method: str, run: Run) -> str:
+    from chainrule.redundancy.words import method_name
+
+    return method_name(run) + (", within the limits" if method == "limited" else "")
+
+
 def _good(run: Run, tolerance: float | None) -> bool:
     return run.status == "complete" and (tolerance is None or run.worst_position_error <= tolerance)
 
@@ -300,10 +336,8 @@ def _files(runs: dict[str, Run], several: bool, figure: Path | None, csv: Path |
     first = next(iter(runs.values()))
     if figure is not None:
         from chainrule.plot.redundancy import draw_run, draw_runs
-        from chainrule.redundancy.words import method_name
 
-        named = {method_name(run): run for run in runs.values()}
-        write_figure(draw_runs(named) if several else draw_run(first), figure)
+        write_figure(draw_runs(runs) if several else draw_run(first), figure)
     if csv is not None:
         headings, rows = first.rows()
         lines = [",".join(headings), *(",".join(repr(float(value)) for value in row) for row in rows)]
@@ -322,18 +356,17 @@ def _print_json(
 def _print(runs: dict[str, Run], costs: list[float], notes: list[str], several: bool) -> None:
     from chainrule.redundancy import words
 
-    named = {words.method_name(run): run for run in runs.values()}
     if several:
-        say(f"{words.comparison_finding(named)}.")
+        say(f"{words.comparison_finding(runs)}.")
     else:
-        (run,) = named.values()
+        (run,) = runs.values()
         say(f"{words.finding(run)}.")
         say(f"{words.setup(run)}.")
-    print_table(words.comparison_table(named, costs))
-    first = next(iter(named.values()))
+    print_table(words.comparison_table(runs, costs))
+    first = next(iter(runs.values()))
     if first.torque is not None:
         say(f"Torques rest on {words.masses(first.arm)}.")
-    for name, run in named.items():
+    for name, run in runs.items():
         if run.events and not several:
             print_table(words.events_table(run))
         elif run.status != "complete":

@@ -289,7 +289,7 @@ def _statics() -> Row:
         f"{moving:.3g} N m",
         off < 1e-13 and moving > 1.0,
         "arm.inverse_dynamics(q, 0, 0, gravity=(0, 0, 0), wrench=f)",
-        f"it is statics: motion and weight need inertia. Ours are assumed: {masses(arm)}",
+        f"it is statics: motion and weight need inertia. Ours rests on {masses(arm)}",
         "special case",
     )
 

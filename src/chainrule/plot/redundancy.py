@@ -27,6 +27,8 @@ Array = NDArray[Any]
 BETWEEN = 6
 #: From this ratio of the largest to the smallest value on, a scale is logarithmic.
 SPAN = 30.0
+#: Characters that fit beside each other below a sheet.
+LEGEND = 116
 #: The tip's axes and place, in the order of a run's frame errors.
 FRAME = ("n (x axis)", "o (y axis)", "a (z axis)", "p [m]")
 
@@ -149,15 +151,20 @@ def _plain(axes: Axes, run: Run) -> None:
     axes.set_xlim(float(run.t[0]), float(run.t[-1]) if len(run.t) > 1 else float(run.t[0]) + 1.0)
 
 
-def _scaled(axes: Axes, values: Array, span: float = SPAN) -> None:
-    """A logarithmic scale where positive values differ by more than ``span``, down to a millionth of the largest."""
+def _scaled(axes: Axes, values: Array, span: float = SPAN, peaks: Array | None = None) -> None:
+    """A logarithmic scale where positive values (or ``peaks``) differ by more than ``span``.
+
+    It goes down to a millionth of the largest value; with ``peaks`` to a hundredth of the least of them.
+    """
     above = values[np.isfinite(values) & (values > 0.0)]
-    if not above.size or float(above.max()) <= span * float(above.min()):
+    judged = above if peaks is None else peaks[peaks > 0.0]
+    if not judged.size or float(judged.max()) <= span * float(judged.min()):
         axes.set_ylim(0.0, 1.1 * float(above.max(initial=0.0)) or 1.0)
         return
     high = float(above.max())
     axes.set_yscale("log")
-    axes.set_ylim(max(float(above.min()), 1e-6 * high) / 1.5, 1.5 * high)
+    least = 1e-6 * high if peaks is None else 1e-2 * float(judged.min())
+    axes.set_ylim(max(float(above.min()), least) / 1.5, 1.5 * high)
     axes.yaxis.set_major_locator(LogLocator(numticks=7))
     axes.yaxis.set_minor_locator(NullLocator())
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, place: _power(value)))
@@ -244,8 +251,8 @@ def draw_runs(runs: Mapping[str, Run], title: str | None = None) -> Figure:
             (third, _third(runs, with_torque), _third_title(arm, with_torque)),
             (
                 error,
-                [np.linalg.norm(run.position_error, axis=1) for run in runs.values()],
-                "tip's distance from its target [m]",
+                [1000.0 * np.linalg.norm(run.position_error, axis=1) for run in runs.values()],
+                "tip's distance from its target [mm]",
             ),
         ]
         longest = max(runs.values(), key=lambda run: float(run.t[-1]))
@@ -255,13 +262,14 @@ def draw_runs(runs: Mapping[str, Run], title: str | None = None) -> Figure:
                 axes.plot(run.t, line, lw=1.7, zorder=3 + 0.1 * k, **line_look(k))
                 if run.status != "complete":
                     axes.plot(run.t[-1], line[-1], "x", ms=7, mew=1.8, color=line_look(k)["color"], clip_on=False)
-            _scaled(axes, np.concatenate(values))
+            peaks = np.array([line.max() for line in values]) if axes in (rate, third) else None
+            _scaled(axes, np.concatenate(values), peaks=peaks)
             axes.set_title(name, loc="left")
             axes.set_xlabel("time [s]")
         names = [name + ("" if run.status == "complete" else " (×: stopped)") for name, run in runs.items()]
         drawing.legend(
             handles=[Line2D([], [], lw=1.7, label=name, **line_look(k)) for k, name in enumerate(names)],
-            ncols=min(len(runs), 3),
+            ncols=max(1, min(len(runs), LEGEND // (max(map(len, names)) + 8))),
             frameon=False,
             loc="outside lower left",
             handlelength=2.8,

@@ -12,7 +12,6 @@ from chainrule.tables import Cell, Column, Table, joint_unit, millimetres, reada
 #: What each method is called.
 METHODS = {
     "gradient_projection": "gradient projection",
-    "qp": "quadratic program",
     "priority": "task priority",
     "global": "global optimum",
 }
@@ -27,13 +26,13 @@ def method_name(run: Run) -> str:
         >>> words.METHODS["gradient_projection"]
         'gradient projection'
     """
-    name = METHODS.get(run.method, run.method.replace("_", " "))
+    method, comma, rest = run.method.partition(",")  # "gradient_projection, least time"
+    name = METHODS.get(method, method.replace("_", " "))
     gains = {} if run.law is None else {key: gain for key, gain in run.law.gains.items() if gain != 0.0}
-    if run.method != "gradient_projection":
-        return name
-    if not gains:
-        return "pseudoinverse"
-    return f"{name}, " + " and ".join(f"{readable(float(gain))} on {key}" for key, gain in gains.items())
+    if method == "gradient_projection":
+        told = " and ".join(f"{readable(float(gain))} on {key}" for key, gain in gains.items())
+        name = f"{name}, {told}" if told else "pseudoinverse"
+    return name + comma + rest
 
 
 def setup(run: Run) -> str:
@@ -50,7 +49,7 @@ def setup(run: Run) -> str:
 
 
 #: What each integrator is called.
-INTEGRATORS = {"euler": "Euler", "heun": "Heun", "rk4": "RK4", "dop853": "DOP853"}
+INTEGRATORS = {"euler": "Euler", "heun": "Heun", "rk4": "RK4", "dop853": "DOP853", "toppra": "timed by TOPP-RA"}
 
 
 def rate_unit(arm: Arm, power: str = "s") -> str:
@@ -95,8 +94,8 @@ def finding(run: Run) -> str:
         return f"{run.arm.name} stops at {readable(float(run.t[-1]), 3)} s: {run.reason}"
     nearest = float(run.t[run.manipulability.argmin()])
     return (
-        f"{run.arm.name} follows the path: H ≥ {readable(run.min_manipulability, 3)} (least at "
-        f"{readable(nearest, 3)} s), {rates}, tip within {millimetres(run.worst_position_error)}"
+        f"{run.arm.name} follows the path in {readable(float(run.t[-1]), 4)} s: "
+        f"H ≥ {readable(run.min_manipulability, 3)} (least at {readable(nearest, 3)} s), {rates}, tip within {millimetres(run.worst_position_error)}"
     )
 
 
@@ -125,6 +124,7 @@ def comparison_table(runs: Mapping[str, Run], costs: Sequence[float] = ()) -> Ta
     columns = [
         Column("method", "method"),
         Column("status", "status"),
+        Column("duration", "time", "s"),
         Column("min_manipulability", "least H"),
         Column("peak_rate", "peak rate", rate_unit(arm)),
         *([Column("peak_torque", "peak torque", torque_unit(arm))] if with_torque else []),
@@ -134,8 +134,7 @@ def comparison_table(runs: Mapping[str, Run], costs: Sequence[float] = ()) -> Ta
     ]
     rows = []
     for k, (name, run) in enumerate(runs.items()):
-        stopped = f"stopped at {readable(float(run.t[-1]), 3)} s"
-        cells: list[Cell] = [name, run.status if run.status == "complete" else stopped]
+        cells: list[Cell] = [name, run.status, rounded(float(run.t[-1]))]
         cells += [rounded(run.min_manipulability), rounded(run.peak_rate)]
         cells += [None if run.peak_torque is None else rounded(run.peak_torque)] if with_torque else []
         cells += [rounded(1000.0 * run.worst_position_error), rounded(1000.0 * run.final_position_error)]
