@@ -95,7 +95,8 @@ def finding(run: Run) -> str:
     nearest = float(run.t[run.manipulability.argmin()])
     return (
         f"{run.arm.name} follows the path in {readable(float(run.t[-1]), 4)} s: "
-        f"H ≥ {readable(run.min_manipulability, 3)} (least at {readable(nearest, 3)} s), {rates}, tip within {millimetres(run.worst_position_error)}"
+        f"H ≥ {readable(run.min_manipulability, 3)} (least at {readable(nearest, 3)} s), {rates}, "
+        f"tip within {millimetres(run.worst_position_error)}"
     )
 
 
