@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from chainrule.readers.paths import read_path
     from chainrule.redundancy.batch import Batch, Forecast, forecast, track_batch
     from chainrule.redundancy.fastest import fastest_run
+    from chainrule.redundancy.globally import GlobalRun, track_globally
     from chainrule.redundancy.path_files import read_task_path
     from chainrule.redundancy.result import Event, Run
     from chainrule.redundancy.task_path import TaskPath
@@ -61,6 +62,7 @@ __all__ = [
     "Forecast",
     "FreeJointWarning",
     "GenerationError",
+    "GlobalRun",
     "InputError",
     "JointMove",
     "Limits",
@@ -110,6 +112,7 @@ __all__ = [
     "time_scaling",
     "track",
     "track_batch",
+    "track_globally",
     "workspace",
 ]
 
@@ -143,6 +146,7 @@ _HOMES = {
     **dict.fromkeys(("BestPosture", "best_posture"), "chainrule.self_motions.best"),
     "self_motion": "chainrule.self_motions.face",
     "read_path": "chainrule.readers.paths",
+    **dict.fromkeys(("GlobalRun", "track_globally"), "chainrule.redundancy.globally"),
     "read_task_path": "chainrule.redundancy.path_files",
     **dict.fromkeys(("Event", "Run"), "chainrule.redundancy.result"),
     "TaskPath": "chainrule.redundancy.task_path",

@@ -285,6 +285,24 @@ def _sources(model: Model, group: str, progress: Progress) -> tuple[dict[str, st
     return {**unit.files, **write.headers(places)}, unit.record["functions"]
 
 
+@cache
+def casadi_function(model: Model, group: str, name: str, outputs: tuple[str, ...]) -> Any:
+    """Some outputs of a generated function as a ``casadi.Function``, which CasADi can differentiate again.
+
+    Its inputs are those of the generated function that these outputs depend on, under the same names.
+
+    Raises:
+        GenerationError: there is no such function or output.
+    """
+    with _DERIVING:
+        from chainrule.derive import catalogue, graph
+
+        for function in catalogue.functions(model, group):
+            if function.name == name:
+                return graph.casadi_function(function, outputs)
+    raise GenerationError(f"{model.name}: there is no function '{name}' in the group '{group}'")
+
+
 def compile_unit(folder: Path, name: str) -> Path | None:
     """Compile ``<name>.c`` for double and float, at the same time, and link one library; None without a compiler.
 
