@@ -150,6 +150,20 @@ def test_limits_are_kept_and_the_least_time_is_found(call):
     assert run["t"][-1] < 2.0
 
 
+def test_a_whole_path_is_optimised(call):
+    asked = ("planar_3r", "--circle", "0.2", "--start", "0,1.2,0.4", "--dt", "0.1")
+    code, out, err = call(*asked, "--compare", "gradient_projection,global", "--json")
+    assert (code, err) == (0, "")
+    local, best = json.loads(out)["runs"]
+    assert best["method"] == "global"
+    assert best["min_manipulability"] > local["min_manipulability"] * (1 - 1e-3)
+    assert best["worst_position_error"] < 1e-6
+    code, out, _ = call(*asked, "--method", "global")
+    assert code == 0
+    assert out.splitlines()[1].startswith("global optimum, ")
+    assert "no proof that none goes farther" in out
+
+
 def test_a_circle_and_a_line_from_the_tip(call):
     from_q = ("--start", "0,60,-60", "--deg", "--method", "pseudoinverse", "--json")
     code, out, err = call("planar_3r", "--circle", "0.1", *from_q)
@@ -238,6 +252,8 @@ def test_paths_from_files(call, tmp_path):
             ("planar_3r", "--circle", "0.1", "--method", "pseudoinverse", "--gain", "1"),
             "--gain: 'pseudoinverse' has none",
         ),
+        (("planar_3r", "--circle", "0.1", "--method", "pseudoinverse", "--limits"), "limited and global do"),
+        (("planar_3r", "--circle", "0.1", "--limits", "--integrator", "rk4"), "with limits 'euler' is accepted"),
         (("planar_3r", "--circle", "0.1", "--compare", "luck"), "--compare: 'luck'"),
         (("planar_3r", "--circle", "0.1", "--compare", "all", "--csv", "a.csv"), "not for --compare"),
         (("planar_3r", "--circle", "0.1", "--compare", "all", "--forecast"), "not for --compare"),

@@ -68,15 +68,6 @@ def readable(value: Cell, digits: int = 6) -> str:
     return value
 
 
-def millimetres(value: float) -> str:
-    """A small length in mm, down to a nanometre; from 0.1 m on in m.
-
-    >>> millimetres(0.00144), millimetres(8e-6), millimetres(1.25)
-    ('1.44 mm', '0.008 mm', '1.25 m')
-    """
-    return f"{readable(round(1000.0 * value, 6), 3)} mm" if value < 0.1 else f"{readable(value, 3)} m"
-
-
 def printable(text: str, most: int = 400) -> str:
     """Text from a file on one line, without control characters, cut where it is long."""
     clean = "".join(c if c.isprintable() else " " for c in text)

@@ -82,7 +82,10 @@ def track(
     integrator: Annotated[str, typer.Option(help="euler, heun, rk4 or dop853.")] = "euler",
     dt: Annotated[float | None, typer.Option(help="Step, s; a 300th of the path's time when left out.")] = None,
     limits: Annotated[
-        bool, typer.Option("--limits", help="The same as --method limited: within the arm's limits, slower if need be.")
+        bool,
+        typer.Option(
+            "--limits", help="Within the arm's limits: --method limited, which slows down if need be, or global."
+        ),
     ] = False,
     velocity: Annotated[
         str | None, typer.Option(metavar="V[,V..]", help="Velocity limits, one number or one for each joint.")
@@ -120,9 +123,19 @@ def track(
     loaded = _limited(load_arm(arm, tip, base), velocity, acceleration, deg)
     loaded.task_of_full_rank(task)
     _check(csv, compare, forecast, duration, path, tolerance)
-    chosen = _methods(loaded, compare, "limited" if limits else method, limits)
+    if limits and method == "gradient_projection":
+        method = "limited"
+    chosen = _methods(loaded, compare, method, limits)
     desired, posture = _path(loaded, task, path, circle, line, 2.0 if duration is None else duration, start, deg)
-    options = {"task": task, "criterion": criterion, "feedback": feedback, "dt": dt, "integrator": integrator}
+    options: dict[str, Any] = {
+        "task": task,
+        "criterion": criterion,
+        "feedback": feedback,
+        "dt": dt,
+        "integrator": integrator,
+    }
+    if limits and method == "pseudoinverse":
+        raise InputError("--limits: 'pseudoinverse' does not keep them; limited and global do")
     if forecast:
         _forecast(loaded, desired, posture, gain, options, as_json)
         return
@@ -130,7 +143,10 @@ def track(
         raise InputError("--gain: 'pseudoinverse' has none; gradient_projection and limited take one")
     with progressing() as progress:
         posture = _settled(loaded, desired, posture, gain, options, chosen)
-        found = {name: _followed(loaded, desired, posture, name, gain, options, progress) for name in chosen}
+        found = {}
+        for name in chosen:
+            own = options | ({"integrator": "euler"} if name == "limited" and compare is not None else {})
+            found[name] = _followed(loaded, desired, posture, name, gain, own, limits, progress)
         if fastest:
             progress("finding the least time")
             from chainrule.redundancy.fastest import fastest_run
@@ -268,6 +284,7 @@ def _followed(
     name: str,
     gain: float | None,
     options: dict[str, Any],
+    limits: bool,
     progress: Callable[[str], None],
 ) -> tuple[Run, float, str]:
     """A run by one method, what a step of it cost (s), and what else is to be said of it."""
@@ -279,13 +296,13 @@ def _followed(
 
         own = {key: options[key] for key in ("task", "dt")}
         begun = perf_counter()
-        found = track_globally(arm, path, posture, progress=progress, **own)
+        found = track_globally(arm, path, posture, limits=limits, progress=progress, **own)
         return found.run, (perf_counter() - begun) / max(len(found.run.t) - 1, 1), found.text
     more = {**options, "method": "pseudoinverse" if name == "pseudoinverse" else "gradient_projection"}
     if name != "pseudoinverse":
         more["gain"] = gain
     if name == "limited":
-        more |= {"limits": True, "integrator": "euler"}
+        more["limits"] = True
     run, cost = None, float("inf")
     for _ in range(2):  # the first call may have to load what it needs
         begun = perf_counter()

@@ -17,7 +17,7 @@ from chainrule.paths import Path, arc_frame, arc_locate
 from chainrule.plot.style import COLOURS, WIDTH, styled
 from chainrule.skeleton import skeleton
 from chainrule.stretches import Method
-from chainrule.tables import millimetres, readable
+from chainrule.tables import readable
 
 Array = NDArray[Any]
 
@@ -34,6 +34,10 @@ _LINES: dict[Method, dict[str, Any]] = {
     "two_term": {"color": COLOURS["joint"], "lw": 1.6, "ls": (0, (6, 1.5, 1.5, 1.5))},
     "look_ahead": {"color": COLOURS["accent"], "lw": 1.8, "ls": "-"},
 }
+
+
+def _millimetres(value: float) -> str:
+    return f"{readable(round(1000.0 * value, 6), 3)} mm" if value < 0.1 else f"{readable(value, 3)} m"
 
 
 def _arm(axes: Axes, arm: Arm, q: Array) -> None:
@@ -80,7 +84,7 @@ def draw_stretches(
             guess = np.linspace(0.0, float(found.travel[k]), len(t))
             along, offset, _ = arc_locate(start, direction, bend, points, guess)
             style = _LINES[method]
-            label = f"{NAMES[method]}: {millimetres(float(found.travel[k]))}"
+            label = f"{NAMES[method]}: {_millimetres(float(found.travel[k]))}"
             above.plot(*points.T, **style, zorder=3, label=label)
             above.plot(*points[-1], "o", ms=4.5, color=style["color"], zorder=3.5)
             below.plot(along, offset, **style, zorder=3)
@@ -120,12 +124,12 @@ def _centre(axes: Axes, at: Array, colour: str, marker: str, whose: str) -> None
 
 def _stretch_finding(found: Comparison) -> str:
     if not {"speed_ratio", "pseudoinverse"} <= set(found.methods):
-        return f"Until the tip is {millimetres(found.tolerance)} from the arc"
+        return f"Until the tip is {_millimetres(found.tolerance)} from the arc"
     ratio = float(found.ratio("speed_ratio"))
     how = "met" if found.discriminant >= 0.0 else "out of reach"
     return (
         f"Curvature {how}: the speed ratio goes {ratio:.2f} times as\n"
-        f"far as the pseudoinverse until {millimetres(found.tolerance)} off"
+        f"far as the pseudoinverse until {_millimetres(found.tolerance)} off"
     )
 
 
@@ -176,7 +180,7 @@ def following_finding(runs: Sequence[Followed]) -> str:
     if not done:
         return "No method reaches the end of the path"
     best, worst = min(done, key=lambda r: r.updates), max(done, key=lambda r: r.updates)
-    within = f"Within {millimetres(best.tolerance)}"
+    within = f"Within {_millimetres(best.tolerance)}"
     if len(done) == 1 or best.updates == worst.updates:
         return f"{within} of the path: {best.updates} updates by {NAMES[best.method]}"
     drawn = f" (large dots; small: {NAMES[best.method]})" if best is runs[-1] and worst is runs[0] else ""
@@ -227,10 +231,10 @@ def draw_study(studies: Sequence[Study], title: str | None = None) -> Figure:
         axes.axvline(1.0, color=COLOURS["muted"], lw=0.8, zorder=1)
         for study, (width, dash) in zip(ordered, styles, strict=False):
             x, y = _steps(study.comparison.ratio("speed_ratio"))
-            name = millimetres(study.comparison.tolerance)
+            name = _millimetres(study.comparison.tolerance)
             axes.plot(x, y, color=COLOURS["link"], lw=width, ls=dash, zorder=3, label=f"speed ratio, {name}")
         x, y = _steps(ordered[0].comparison.ratio("look_ahead"))
-        name = millimetres(ordered[0].comparison.tolerance)
+        name = _millimetres(ordered[0].comparison.tolerance)
         axes.plot(x, y, color=COLOURS["accent"], lw=1.6, zorder=2.5, label=f"looking ahead, {name}")
         axes.set_xscale("log")
         ticks = [0.5, 1.0, 2.0, 5.0, 10.0]
@@ -254,7 +258,7 @@ def study_finding(study: Study) -> str:
     facts = study.to_dict()
     return (
         f"The speed ratio goes {facts['median']:.2f} times as far in the median,\n"
-        f"but less far in {100.0 * facts['worse']:.0f} % of {facts['cases']} cases ({millimetres(facts['tolerance'])})"
+        f"but less far in {100.0 * facts['worse']:.0f} % of {facts['cases']} cases ({_millimetres(facts['tolerance'])})"
     )
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from chainrule.arm import Arm
 from chainrule.redundancy.result import Run
-from chainrule.tables import Cell, Column, Table, joint_unit, millimetres, readable
+from chainrule.tables import Cell, Column, Table, joint_unit, readable
 
 #: What each method is called.
 METHODS = {
@@ -96,7 +96,7 @@ def finding(run: Run) -> str:
     return (
         f"{run.arm.name} follows the path in {readable(float(run.t[-1]), 4)} s: "
         f"H ≥ {readable(run.min_manipulability, 3)} (least at {readable(nearest, 3)} s), {rates}, "
-        f"tip within {millimetres(run.worst_position_error)}"
+        f"tip within {readable(1000.0 * run.worst_position_error, 3)} mm"
     )
 
 
