@@ -9,14 +9,9 @@ The rates of a step of length dt are constant. They have to lie in the box of
   exceed the room left. Solved for r: r <= room / ((N + 1) dt) + A dt N / 2 with N the largest whole number for which
   A dt^2 N (N + 1) / 2 <= room. Without an acceleration limit r <= room / dt.
 
-A box that holds now is never empty in the next step. In it the quadratic program
-
-    least (rates - null motion)^T W (rates - null motion) + rho (share - wanted share)^2
-    with J rates = share * (task velocity of the law), 0 <= share <= 1
-
-is solved (DAQP, a dual active-set method, through CasADi), rho so large that as much of the task velocity as possible
-comes first. Where the law's own rates fit, they are its solution, and no program is solved. The path is then run at
-that share of its speed: it is scaled, never left.
+A box that holds now is never empty in the next step. In it first the largest share of the law's task velocity is
+sought, from 0 to 1, then the null motion nearest to the law's: :class:`Program`. Where the law's own rates fit, they
+are the solution. The path is run at that share of its speed: it is scaled, never left.
 
 Acceleration limits can make a step impossible at any speed, because the arm should have slowed down before. Then the
 run goes back, asks for half of the speed (of the null motion too) from there on, and tries again, over a stretch that
@@ -42,10 +37,10 @@ from chainrule.redundancy.task_path import TaskPath
 
 Array = NDArray[Any]
 
-#: Weight of the share against the rates, in units of the law's largest rate squared: lexicographic but for 1e-6.
-FIRST = 1e6
-#: The task velocity must be met to this, relative to the largest rate times the largest entry of J.
-MET = 1e-6
+#: How far a share goes back from the end of its range, relative to it, so that the box is left some width for y.
+INSIDE = 1e-7
+#: The task velocity must be met to this, and what counts as none, relative to the largest rate of the box.
+MET, ROUNDING = 1e-7, 1e-12
 #: A run whose speed is on average below this share, over this share of the path's steps (50 at least), has come to a
 #: standstill.
 STANDS, PATIENCE = 1e-2, 0.5
@@ -119,27 +114,26 @@ def box(limits: Limits, q: Array, before: Array | None, dt: float) -> Box:
 
 
 class Program:
-    """The quadratic program of a step, for n joints and m rows.
+    """What a step inside a box is to be, for n joints.
+
+    All rates that do the share s of a task velocity v are s J^+ v + Z y, Z an orthonormal basis of the null space of J.
+    The share is the one wanted where the box allows it, else the nearest that it does (a linear program in y and s, by
+    HiGHS); y makes the null motion the nearest to the one wanted, in the weights' norm (a quadratic program in the
+    joints to spare, by DAQP, a dual active-set method, through CasADi).
 
     Args:
-        n: joints.
-        m: rows.
-        weights: (n,) finite where a joint may move; infinite where it stands still.
+        weights: (n,); infinite for a joint that stands still.
     """
 
-    def __init__(self, n: int, m: int, weights: Array) -> None:
-        import casadi
-
-        self.n = n
-        self.weights = np.where(np.isfinite(weights), weights, 1.0)
+    def __init__(self, weights: Array) -> None:
         self.still = ~np.isfinite(weights)
-        shape = {"h": casadi.Sparsity.diag(n + 1), "a": casadi.Sparsity.dense(m, n + 1)}
-        self._solver = casadi.conic("step", "daqp", shape, {"error_on_fail": False})
+        self.weights = np.where(self.still, 1.0, weights)
+        self._solvers: dict[int, Any] = {}
 
     def __call__(
         self, jacobian: Array, velocity: Array, null: Array, room: Box, wanted: float
     ) -> tuple[Array, float] | None:
-        """Rates (n,) and the share of the velocity (m,): the one wanted, or the nearest to it that there is.
+        """Rates (n,) inside the box, and the share of the velocity (m,) that they do.
 
         Args:
             jacobian: (m, n).
@@ -149,36 +143,76 @@ class Program:
             wanted: share, 0 to 1.
 
         Returns:
-            None where there is no solution.
+            None where the box has no rates that do any share.
         """
-        return self._solved(jacobian, velocity, null, room, wanted, True) or self._solved(
-            jacobian, velocity, null, room, wanted, False
-        )
-
-    def _solved(
-        self, jacobian: Array, velocity: Array, null: Array, room: Box, wanted: float, exactly: bool
-    ) -> tuple[Array, float] | None:
         low, high = np.where(self.still, 0.0, room.low), np.where(self.still, 0.0, room.high)
-        size = max(float(np.abs(null).max(initial=0.0)), float(np.abs(velocity).max(initial=0.0)), 1e-9)
-        first = FIRST * size**2 * float(self.weights.max())
-        found = self._solver(
-            h=np.append(self.weights, first),
-            g=np.append(-self.weights * null, -first * wanted),
-            a=np.column_stack([jacobian, -velocity]),
-            lba=0.0,
-            uba=0.0,
-            lbx=np.append(low, wanted if exactly else 0.0),
-            ubx=np.append(high, wanted if exactly else 1.0),
-        )
-        if not self._solver.stats()["success"]:
-            return None
-        x = np.asarray(found["x"]).ravel()
-        if not np.isfinite(x).all():
-            return None
-        rates, share = np.clip(x[:-1], low, high), wanted if exactly else float(np.clip(x[-1], 0.0, 1.0))
+        along, basis, possible = _solutions(jacobian, velocity)
+        ends = np.abs(np.concatenate([low, high]))
+        unit = float(ends[np.isfinite(ends)].max(initial=0.0)) or 1.0
+        share = wanted if possible else 0.0
+        y = self._nearest(basis, null - share * along, low - share * along, high - share * along, unit)
+        if y is None:
+            found = _nearest_share(along, basis, low, high, unit, wanted if possible else 0.0, possible)
+            if found is None:
+                return None
+            share, corner = found
+            inside = min(share * (1.0 + INSIDE * float(np.sign(share - wanted))), 1.0)
+            y = self._nearest(basis, null - inside * along, low - inside * along, high - inside * along, unit)
+            share, y = (share, corner) if y is None else (inside, y)
+        rates = np.clip(share * along + basis @ y, low, high)
         missed = np.abs(jacobian @ rates - share * velocity).max(initial=0.0)
-        scale = float(np.abs(jacobian).max()) * max(float(np.abs(rates).max()), 1e-9)
-        return (rates, share) if missed <= MET * scale else None
+        return (rates, share) if missed <= MET * unit * max(float(np.abs(jacobian).max()), 1.0) else None
+
+    def _nearest(self, basis: Array, aim: Array, low: Array, high: Array, unit: float) -> Array | None:
+        """y (k,) with low <= basis y <= high and basis y nearest to ``aim``, in W; None where there is none."""
+        k = basis.shape[1]
+        slack = ROUNDING * unit
+        if not k:
+            return np.zeros(0) if (low <= slack).all() and (high >= -slack).all() else None
+        if k not in self._solvers:
+            import casadi
+
+            shape = {"h": casadi.Sparsity.dense(k, k), "a": casadi.Sparsity.dense(len(basis), k)}
+            self._solvers[k] = casadi.conic("step", "daqp", shape, {"error_on_fail": False})
+        solver = self._solvers[k]
+        weighted = basis * self.weights[:, None]
+        found = solver(h=basis.T @ weighted, g=-(weighted.T @ aim) / unit, a=basis, lba=low / unit, uba=high / unit)
+        y = np.asarray(found["x"]).ravel() * unit
+        if not solver.stats()["success"] or not np.isfinite(y).all():
+            return None
+        at = basis @ y
+        return y if (at >= low - 1e3 * slack).all() and (at <= high + 1e3 * slack).all() else None
+
+
+def _solutions(jacobian: Array, velocity: Array) -> tuple[Array, Array, bool]:
+    """J^+ v (n,), an orthonormal basis (n, k) of the null space, and whether v is in the range of J."""
+    left, values, right = np.linalg.svd(jacobian)
+    rank = int((values > ROUNDING * values.max(initial=0.0)).sum())
+    parts = left[:, :rank].T @ velocity
+    along = right[:rank].T @ (parts / values[:rank])
+    missed = np.abs(velocity - left[:, :rank] @ parts).max(initial=0.0)
+    return along, right[rank:].T, bool(missed <= 1e-9 * max(float(np.abs(velocity).max(initial=0.0)), 1e-300))
+
+
+def _nearest_share(
+    along: Array, basis: Array, low: Array, high: Array, unit: float, wanted: float, free: bool
+) -> tuple[float, Array] | None:
+    """The share nearest to the one wanted for which the box has rates, with y (k,) of one of them; None for none."""
+    from scipy.optimize import linprog
+
+    k = basis.shape[1]
+    matrix = np.column_stack([basis, along / unit, np.zeros(len(along))])
+    upper, lower = np.isfinite(high), np.isfinite(low)
+    away = np.zeros((2, k + 2))
+    away[:, k:] = [[1.0, -1.0], [-1.0, -1.0]]  # the last unknown is |share - wanted|
+    found = linprog(
+        np.append(np.zeros(k + 1), 1.0),
+        A_ub=np.vstack([matrix[upper], -matrix[lower], away]),
+        b_ub=np.concatenate([high[upper] / unit, -low[lower] / unit, [wanted, -wanted]]),
+        bounds=[(None, None)] * k + [(0.0, 1.0 if free else 0.0), (0.0, None)],
+        method="highs",
+    )
+    return (float(np.clip(found.x[k], 0.0, 1.0)), found.x[:k] * unit) if found.status == 0 else None
 
 
 @dataclass
@@ -276,7 +310,7 @@ def _run(
     assert isinstance(law, Law)
     limits, end = arm.limits, path.duration
     rest = np.zeros(arm.n) if np.isfinite(limits.acceleration).any() else None
-    program = Program(arm.n, arm.tasks[task], np.array(law.weights or np.ones(arm.n)))
+    program = Program(np.array(law.weights or np.ones(arm.n)))
     steps = round(end / dt)
     caps = np.ones(steps + 1)
     log, when, q = _Log(), 0.0, q0
