@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import chainrule as cr
+from chainrule.compile import casadi_function
 from chainrule.redundancy.globally import GlobalRun
 
 LENGTHS = (1.0, 0.5, 0.25)
@@ -274,7 +275,7 @@ def test_an_interrupted_search_gives_the_best_so_far_or_ends(arm: cr.Arm, line: 
         cr.track_globally(arm, line, start, dt=0.1, progress=interrupted_at("start 2"))
     found = cr.track_globally(arm, line, start, dt=0.1, count=2, progress=interrupted_at("least peak"))
     assert isinstance(found, GlobalRun) and found.interrupted and not found.solved
-    assert "interrupted" in found.text and "not an optimum" in found.text
+    assert "interrupted" in found.text and "no optimum is claimed" in found.text
     np.testing.assert_allclose(by_hand(found.q)[0], targets_of(line, 10)[1], rtol=0, atol=1e-8)
 
 
@@ -315,3 +316,21 @@ def test_limits_that_no_path_keeps_are_said(arm: cr.Arm, line: cr.TaskPath) -> N
     low = arm.with_limits(position=[(start[0] + 0.1, 3.0), (-4.0, 4.0), (-4.0, 4.0)])
     with pytest.raises(cr.InputError, match=r"q_start: joint '.*' is outside its limits"):
         cr.track_globally(low, line, start, dt=0.1)
+
+
+def test_the_generated_functions_as_casadi_functions(arm: cr.Arm) -> None:
+    import casadi as ca
+
+    model, q, target = arm.description.model, np.array([0.4, 1.1, -0.6]), np.array([0.3, 0.2])
+    function = casadi_function(model, "redundancy_position", "step_position", ("error", "manipulability"))
+    assert function.name_in() == ["q", "held", "parameters"]
+    x = ca.SX.sym("q", 3)
+    error, w = function(x, ca.DM(target), ca.DM(arm.parameters))
+    found = [np.array(each) for each in ca.Function("f", [x], [error, ca.jacobian(error, x), w])(q)]
+    position, jacobian, expected = by_hand(q)
+    np.testing.assert_allclose(found[0][:, 0], position - target, rtol=0, atol=1e-15)
+    np.testing.assert_allclose(found[1], jacobian, rtol=0, atol=1e-15)
+    assert found[2][0, 0] == pytest.approx(expected, rel=1e-13)
+    for name, outputs in (("nothing", ("error",)), ("step_position", ("nothing",))):
+        with pytest.raises(cr.GenerationError, match="nothing"):
+            casadi_function(model, "redundancy_position", name, outputs)

@@ -383,16 +383,17 @@ class _Search:
         for start, guess in zip(of_start, guesses, strict=True):
             if (np.abs(self.coarse.rates(guess)) <= self.bound).all() and self.objective != "squared rates":
                 start.append(guess)
-        solved: list[tuple[Array, _Found | None]] = []
+        solved: dict[int, _Found | None] = {}
         self.values = np.full(len(guesses), np.nan)
         for number, start in enumerate(of_start):
             for q in start:
-                self.progress(f"start {number + 1} of {len(guesses)}: {self.objective}, {len(self.mesh)} samples")
-                one = next((found for used, found in solved if used is q), None) or self._solved(q)
-                solved.append((q, one))
+                if id(q) not in solved:
+                    self.progress(f"start {number + 1} of {len(guesses)}: {self.objective}, {len(self.mesh)} samples")
+                    solved[id(q)] = self._solved(q)
+                one = solved[id(q)]
                 if one is not None and not self._rank(one.value) >= self._rank(self.values[number]):
                     self.values[number] = one.value
-        return [one for _, one in solved if one is not None]
+        return [one for one in solved.values() if one is not None]
 
     def _guard(self, smoothest: Array) -> None:
         """Bound the rates by those of the smoothest path, apart for revolute and prismatic joints."""
@@ -533,7 +534,11 @@ class _Search:
     def _text(self, best: _Found, agreed: int, ceiling: float | None) -> str:
         if self.interrupted or not best.solutions:
             how = "interrupted" if self.interrupted else "IPOPT did not solve it at every sample"
-            return f"{self.objective}: {best.value:.6g}; {how}: a path that holds the targets, not an optimum"
+            missed = float(np.abs(self.problem.evaluate(best.q)[0]).max())
+            return (
+                f"{self.objective}: {best.value:.6g}; {how}: no optimum is claimed, nor that limits are kept; targets "
+                f"are missed by up to {missed:.1g} (m, rad)"
+            )
         worst = max(each.stationarity for each in best.solutions)
         above = "" if ceiling is None else f"; at its target of least w postures with w up to {ceiling:.6g} were met"
         return (
