@@ -11,7 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 from itertools import chain
 from typing import Any
 
-from benchmarks import cuspidality, planar, self_motion
+from benchmarks import cuspidality, planar, redundancy, self_motion
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
 from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
@@ -35,7 +35,7 @@ GENERATED_S, CACHED_S, IMPORT_S = 5.0, 0.05, 0.3
 Progress = Callable[[str], None]
 
 #: Questions by topic; the other topics are ``kernels`` and ``start-up``.
-QUESTIONS = {"planar": planar, "cuspidality": cuspidality, "self-motion": self_motion}
+QUESTIONS = {"planar": planar, "cuspidality": cuspidality, "self-motion": self_motion, "redundancy": redundancy}
 TOPICS = ("kernels", *QUESTIONS, "start-up")
 
 

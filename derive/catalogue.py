@@ -56,9 +56,7 @@ STANDING: dict[Model, tuple[str, ...]] = {
     **{planar_model("".join(kinds)): ("kinematics", "motion", "speed_ratio") for kinds in product("RP", repeat=3)},
 }
 
-#: Groups that are made on first use, although they belong to embedded arms: what the name of a group begins with.
-#: Those that are generated all the same, by model.
-FIRST_USE = ("redundancy", "priority", "dynamics")
+#: Groups that are made on first use (:func:`first_use`) but are generated beforehand for these models.
 SHIPPED: dict[str, tuple[str, ...]] = dict.fromkeys(("panda", "sanchez_8r"), ("redundancy_pose", "dynamics"))
 
 #: Models with results in closed form: ``minors(arm)`` of the position Jacobian, perhaps ``survey(arm)`` and the like.

@@ -69,28 +69,27 @@ def null_vector_from_minors(minors: list[Expression]) -> list[Expression]:
     return [(-1) ** j * minors[n - 1 - j] for j in range(n)]
 
 
-def orthonormal_rows(steps: Steps, matrix: Matrix, passes: int = 1) -> tuple[Matrix, list[Expression]]:
-    """Gram-Schmidt on the rows: orthonormal rows and the pivots |r_k|, whose product is H.
+def orthonormal_rows(steps: Steps, matrix: Matrix, passes: int = 1) -> tuple[Matrix, Matrix]:
+    """Gram-Schmidt on the rows: orthonormal rows Q, and the lower triangular R with R Q = matrix.
 
-    The pivots of the modified Gram-Schmidt process are backward stable, so one pass is enough for H; a second
-    makes the rows orthonormal to rounding ("twice is enough"). A row that vanishes stays zero.
+    The pivots on R's diagonal, whose product is H, are backward stable in the modified process, so one pass is enough
+    for H; a second makes the rows orthonormal to rounding ("twice is enough"). A row that vanishes stays zero.
     """
     basis: Matrix = []
-    pivots: list[Expression] = []
+    lower: Matrix = []
     for k, row in enumerate(matrix, 1):
-        rest, length = list(row), sp.Integer(1)
+        rest, shares = list(row), [sp.Integer(0)] * len(basis)
         for turn in range(passes):
             tag = f"{k}" if turn == 0 else f"{k}again"
-            for unit in basis:
+            for i, unit in enumerate(basis):
                 along = steps.let(f"along{tag}", sum((a * b for a, b in zip(unit, rest, strict=True)), sp.Integer(0)))
                 rest = [steps.let(f"rest{tag}", b - along * a) for a, b in zip(unit, rest, strict=True)]
-            pivot = steps.let(f"pivot{tag}", root_sum_of_squares(steps, rest))
-            inverse = steps.let(f"inverse{tag}", GuardedInverse(pivot))
-            rest = [steps.let(f"unit{tag}", entry * inverse) for entry in rest]
-            length = steps.let(f"length{k}", length * pivot)
-        basis.append(rest)
-        pivots.append(length)
-    return basis, pivots
+                shares[i] = shares[i] + along
+        pivot = steps.let(f"pivot{k}", root_sum_of_squares(steps, rest))
+        inverse = steps.let(f"inverse{k}", GuardedInverse(pivot))
+        basis.append([steps.let(f"unit{k}", entry * inverse) for entry in rest])
+        lower.append([*shares, pivot])
+    return basis, lower
 
 
 def minors_program(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, task: str) -> Program:
@@ -109,7 +108,7 @@ def weights_program(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, tas
     """The quantities whose norm (minors) or product (pivots) is H: what the gradient is taken through."""
     if by_minors(len(matrix), len(matrix[0])):
         return minors_program(steps, inputs, matrix, task)
-    _, pivots = orthonormal_rows(steps, matrix)
+    pivots = [row[-1] for row in orthonormal_rows(steps, matrix)[1]]
     return Program(
         f"pivots_{task}",
         f"pivots of the {task} Jacobian's orthogonal factorisation; H is their product",

@@ -5,8 +5,8 @@
 J+ is the pseudoinverse weighted by the joints: of all rates that do the task it takes those with the least
 (rates - g)^T W (rates - g). With mobility_j = W_jj^(-1/2) the rows of J diag(mobility) are factored into R Q by
 twice-iterated Gram-Schmidt, Q with orthonormal rows and R lower triangular; then J+ v = diag(mobility) Q^T R^-1 v and
-(I - J+ J) g = diag(mobility) (I - Q^T Q) diag(mobility)^-1 g. A joint of mobility 0 stands still. A row that vanishes
-in the factorisation is left out.
+(I - J+ J) g = diag(mobility) (I - Q^T Q) diag(stiffness) g, stiffness_j = 1 / mobility_j. A joint with 0 for both
+stands still. A row that vanishes in the factorisation is left out.
 
 J* is J+ or, with damping mu, diag(mobility) Q^T R^T (R R^T + mu^2 I)^-1: least |J rates - v|^2 + mu^2 rates^T W rates.
 The null motion is not damped: it leaves the task alone, near singularities too.
@@ -56,6 +56,8 @@ SETTINGS = (
     "inverse_threshold_s",
     "dt",
 )
+#: The rows of the input ``joints``: W^(-1/2), its inverse (or 0 where that is 0), the middle of the range, 1 / half it.
+JOINTS = ("mobility", "stiffness", "middle", "narrowness")
 #: The most rows of a secondary task.
 MOST_SECONDARY = 6
 
@@ -83,7 +85,10 @@ def _law(family: ModuleType, arm: Any, task: str, weights: Program, more: int) -
     found = self_motion.apart(steps, family, arm, task, target)
     m = found.jacobian.shape[0]
     velocity, push = variables("velocity", m), variables("push", n)
-    mobility, middle, narrowness = (variables(name, n) for name in ("mobility", "middle", "narrowness"))
+    joints = Input(
+        "joints", (len(JOINTS), n), tuple(sp.Symbol(f"{row}{j + 1}", real=True) for row in JOINTS for j in range(n))
+    )
+    mobility, stiffness, middle, narrowness = _rows(joints.symbols, n)
     settings = Input("settings", (len(SETTINGS),), tuple(sp.Symbol(name, real=True) for name in SETTINGS))
     given = dict(zip(SETTINGS, settings.symbols, strict=True))
     matrix = _rows(found.jacobian.expressions, n)
@@ -101,12 +106,9 @@ def _law(family: ModuleType, arm: Any, task: str, weights: Program, more: int) -
         steps.let(f"wanted{i}", v - k * e)
         for i, (v, k, e) in enumerate(zip(velocity.symbols, gains, error, strict=True))
     ]
-    scaled = [[steps.let("scaled", e * a) for e, a in zip(row, mobility.symbols, strict=True)] for row in matrix]
-    basis, pivots = orthonormal_rows(steps, scaled, passes=2)
-    lower = [
-        [*(steps.let("lower", _dot(row, unit)) for unit in basis[:k]), steps.let(f"lower{k}", pivots[k])]
-        for k, row in enumerate(scaled)
-    ]
+    scaled = [[steps.let("scaled", e * a) for e, a in zip(row, mobility, strict=True)] for row in matrix]
+    basis, triangle = orthonormal_rows(steps, scaled, passes=2)
+    lower = [[steps.let("lower", entry) for entry in row] for row in triangle]
     h, slope = _manipulability(steps, weights, q.symbols)
     first = [row[:m] for row in lower[:m]]
     least = max_zero(steps, "short", 1 - h * given["inverse_threshold_H"])
@@ -127,19 +129,14 @@ def _law(family: ModuleType, arm: Any, task: str, weights: Program, more: int) -
         to_limits = steps.let("gain_each", given["gain_limits"] / n)
         moved = [
             factor * d + to_limits * (q_j - centre) * narrow * narrow + own
-            for d, q_j, centre, narrow, own in zip(
-                slope, q.symbols, middle.symbols, narrowness.symbols, push.symbols, strict=True
-            )
+            for d, q_j, centre, narrow, own in zip(slope, q.symbols, middle, narrowness, push.symbols, strict=True)
         ]
-        stretched = [
-            steps.let("uphill", g * steps.let("stiffness", GuardedInverse(a)))
-            for g, a in zip(moved, mobility.symbols, strict=True)
-        ]
+        stretched = [steps.let("uphill", g * stiff) for g, stiff in zip(moved, stiffness, strict=True)]
         null = _left(steps, basis, stretched)
-        null = [steps.let("null", a * entry) for a, entry in zip(mobility.symbols, null, strict=True)]
+        null = [steps.let("null", a * entry) for a, entry in zip(mobility, null, strict=True)]
     rates = [
         steps.let("rate", a * sum((y * unit[j] for y, unit in zip(along, basis, strict=True)), sp.Integer(0)) + null[j])
-        for j, a in enumerate(mobility.symbols)
+        for j, a in enumerate(mobility)
     ]
     ahead = [q_j + given["dt"] * rate for q_j, rate in zip(q.symbols, rates, strict=True)]
     kind = "step" if not more else "priority"
@@ -147,7 +144,7 @@ def _law(family: ModuleType, arm: Any, task: str, weights: Program, more: int) -
     return Program(
         f"{kind}_{task}",
         what,
-        (q, target, velocity, *secondary, mobility, push, middle, narrowness, settings, *arm.inputs[1:]),
+        (q, target, velocity, *secondary, push, joints, settings, *arm.inputs[1:]),
         tuple(steps.steps),
         (
             Output("q_next", (n,), tuple(ahead)),

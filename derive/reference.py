@@ -30,6 +30,10 @@ def reference(function: Function, inputs: Mapping[str, Sequence[Any]], digits: i
     with mpmath.workdps(3 * digits):
         h = mpmath.mpf(10) ** -digits
         value = manipulability(function.program, inputs, 3 * digits)
+        if value < h:  # 0 but for rounding, where the gradients are 0 by definition
+            nothing = [mpmath.mpf(0)] * len(q)
+            names = ("gradient", "inverse_gradient", "inverse_root_gradient")
+            return {"manipulability": [mpmath.mpf(0)], **dict.fromkeys(names, nothing)}
         gradient = []
         for i in range(len(q)):
             ahead, behind = ([entry + sign * h * (k == i) for k, entry in enumerate(q)] for sign in (1, -1))

@@ -68,9 +68,9 @@ def conditions(arm: PlanarChain) -> Program:
     steps = Steps()
     frame = tangent_frame(steps, arm)
     # Gram-Schmidt from ``across``: then J^+ T lies along the second unit row, divided by its pivot
-    (v, u), pivots = orthonormal_rows(steps, [frame.across, frame.along], passes=2)
+    (v, u), lower = orthonormal_rows(steps, [frame.across, frame.along], passes=2)
     basis = null_basis(steps, u, v)
-    least = [steps.let(f"least{k + 1}", e / pivots[1]) for k, e in enumerate(u)]
+    least = [steps.let(f"least{k + 1}", e / lower[1][1]) for k, e in enumerate(u)]
     general = [least[k] + X * basis[0][k] + Y * basis[1][k] for k in range(4)]
     along, across, third = _coefficients(steps, frame, general)
     outputs = (

@@ -16,7 +16,7 @@ from chainrule.description import Description, identifier
 
 DIGITS = 40
 COUNT = 3  # configurations in the test programs
-SAMPLED = {"mobility": (0.5, 1.5)}  # ranges of the inputs in the test programs; from -1 to 1 else
+SAMPLED = {"joints": (0.5, 1.5)}  # ranges of the inputs in the test programs; from -1 to 1 else
 LIMIT = 512  # times epsilon: the test programs' bound on the error relative to the largest entry
 
 

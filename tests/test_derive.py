@@ -324,6 +324,14 @@ def test_names_that_would_clash_are_refused(given, result, said):
     under.one_line(caught.value)
 
 
+def test_steps_have_names_of_their_own():
+    """Also where a name that is asked for looks like another one with its suffix."""
+    x, steps = sp.Symbol("x1", real=True), Steps()
+    named = [steps.let(name, x + k) for k, name in enumerate(("a", "a", "a_1", "a", "a_2"), 1)]
+    assert len(set(named)) == 5
+    assert Steps(steps.steps).let("a", x + 9) not in named
+
+
 def test_operations_are_counted():
     x, y = sp.symbols("q1 q2", real=True)
     kernel = lower.lower(catalogue.Function("f", operations_program([sp.sin(x) * y + 1])))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import shutil
 import subprocess
 from functools import cache
 
@@ -453,8 +452,8 @@ def test_long_chain():
     held, jacobian = code["pose"](q), code["jacobian_pose"](q)
     settings = np.zeros(len(redundancy.SETTINGS))
     settings[redundancy.SETTINGS.index("gain_H")] = 1.0
-    ones, none = np.ones(10), np.zeros(10)
-    _, rates, h, _, null = space["step_pose"](q, held, velocity, ones, none, none, none, settings)
+    joints = np.array([np.ones(10), np.ones(10), np.zeros(10), np.zeros(10)])
+    _, rates, h, _, null = space["step_pose"](q, held, velocity, np.zeros(10), joints, settings)
     truth = under.gradients(arm.description, "pose", q)
     gradient = np.array([float(x) for x in truth[1]])
     assert abs(float(h) / float(truth[0][0]) - 1) < 1e-14
@@ -499,6 +498,22 @@ def test_batches():
     assert kept is again and under.all_equal(again.rates, whole.rates)
 
 
+@pytest.mark.parametrize("real", [np.float64, np.float32])
+def test_bound(real):
+    """In place, the same bits as a call; what was written into the arrays is what counts."""
+    arm = arm_of("sanchez_8r")
+    stepper = Stepper(arm, law_of(arm, 17))
+    loop = stepper.bind(0.01, real)
+    for q, held, velocity, push in zip(*situation("sanchez_8r", "pose", 5, 17), strict=True):
+        given = [a.astype(real) for a in (q, held, velocity, push)]
+        loop.q[:], loop.held[:], loop.velocity[:], loop.push[:] = given
+        loop()
+        expected = stepper(*given[:3], 0.01, given[3])
+        for name in expected.__dataclass_fields__:
+            assert getattr(loop, name).dtype == real
+            assert under.all_equal(getattr(loop, name), getattr(expected, name))
+
+
 def test_nan_stays_in_its_row():
     arm = arm_of("sanchez_8r")
     stepper = Stepper(arm, law_of(arm, 14))
@@ -524,7 +539,7 @@ def test_many_laws_at_once():
 # ---- what is refused -------------------------------------------------------------------------------------------
 
 
-REST = ([0.0] * 7, np.eye(4), None, 0.01)
+FLAT, TWO = ([0.0] * 3, [0.0] * 3, None, 0.01), (np.ones((2, 3)), [1.0, 1.0])
 
 
 @pytest.mark.parametrize(
@@ -543,11 +558,14 @@ REST = ([0.0] * 7, np.eye(4), None, 0.01)
         (lambda: Stepper(arm_of("panda"), "H"), "a Law"),
         (lambda: Stepper(arm_of("planar_3r"), task="speed"), "there is no task"),
         (lambda: Stepper(cr.planar("RR", [1.0, 1.0]), task="pose"), "3 rows for 2 joints"),
+        (lambda: Stepper(arm_of("panda")).bind("fast"), "dt"),
+        (lambda: Stepper(arm_of("panda")).bind(0.01, int), "float64 or float32"),
+        (lambda: Stepper(arm_of("panda"), [Law()]).bind(0.01), "one law"),
         (lambda: Stepper(arm_of("panda"))([0.0] * 6, np.eye(4), None, 0.01), r"q has shape \(6,\)"),
         (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(3), None, 0.01), "held has shape"),
         (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, "fast"), "dt"),
-        (lambda: Stepper(arm_of("panda"))(*REST, secondary=(np.ones((2, 7)), [1.0, 1.0])), "k from 1 to 1"),
-        (lambda: Stepper(arm_of("ur5e"))(*REST, secondary=(np.ones((1, 6)), [1.0])), "no joint to spare"),
+        (lambda: Stepper(arm_of("planar_3r"))(*FLAT[:1], [0.0, 0.0], *FLAT[2:], secondary=TWO), "k from 1 to 1"),
+        (lambda: Stepper(arm_of("planar_3r"), task="pose")(*FLAT, secondary=TWO), "no joint to spare"),
     ],
 )  # fmt: skip
 def test_refusals(make, said):
@@ -653,4 +671,12 @@ def test_every_arm_with_a_step_has_one_in_c(tmp_path):
     few = cr.Arm.from_dh([("R", (-1) ** k * 1.2, 0.3, 0.1, 0.0) for k in range(4)], name="few")
     cr.generate(few, tmp_path / "few", targets=["c"])
     assert not list((tmp_path / "few").glob("*_step.*"))
-    shutil.rmtree(tmp_path / "few")
+
+
+def test_c_of_an_arm_that_is_always_singular(tmp_path):
+    """Two prismatic joints never turn the tip: H of that task is 0, its gradients too; the folder passes its test."""
+    if compiling.compiler() is None:
+        pytest.skip("no C compiler")
+    cr.generate(cr.planar("PP", [0.5, 0.4], [0.0, 0.4], name="table"), tmp_path, targets=["c"])
+    program = built(tmp_path, "checked", "-O0", "table.c", "table_step.c", "table_float.c", "test_table.c")
+    assert subprocess.run([program], capture_output=True, text=True).stdout.splitlines()[-1] == "pass"

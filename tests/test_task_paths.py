@@ -19,7 +19,7 @@ from chainrule.redundancy.time_laws import Constant, Sampled, Trapezoid
 RNG = np.random.default_rng(6)
 POINTS = RNG.uniform(-1.0, 1.0, (7, 3))
 TURNS = Rotation.random(7, random_state=3)
-UPRIGHT = {"x": (1.0, 0.0, 0.0), "y": (0.0, 0.0, 1.0)}
+UPRIGHT: dict[str, Any] = {"x": (1.0, 0.0, 0.0), "y": (0.0, 0.0, 1.0)}
 
 SPATIAL: dict[str, cr.TaskPath] = {
     "line": cr.TaskPath.line(POINTS[0], POINTS[1], duration=2.0, orientation=TURNS[0].as_matrix()),

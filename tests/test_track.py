@@ -15,6 +15,7 @@ import chainrule as cr
 from chainrule.errors import InputError
 from chainrule.redundancy.limited import Box, Program, box, braking
 from chainrule.redundancy.measure import errors
+from chainrule.redundancy.result import EVENTS
 from chainrule.redundancy.stability import decay
 from chainrule.redundancy.starts import best, bring, postures_at
 from chainrule.redundancy.step import Damping, Law, Stepper
@@ -72,7 +73,8 @@ def test_the_integrators_have_their_orders() -> None:
 
     end = solve_ivp(law, (0.0, 1.0), q0, method="DOP853", rtol=1e-12, atol=1e-13).y[:, -1]
     options: dict[str, Any] = {"gain": -2.0, "feedback": 0.0}
-    for integrator, order, counts in (("euler", 1, (200, 400)), ("heun", 2, (100, 200)), ("rk4", 4, (40, 80))):
+    cases: Any = (("euler", 1, (200, 400)), ("heun", 2, (100, 200)), ("rk4", 4, (40, 80)))
+    for integrator, order, counts in cases:
         misses = [
             np.abs(cr.track(PANDA, path, q0, integrator=integrator, dt=1.0 / n, **options).q[-1] - end).max()
             for n in counts
@@ -155,10 +157,12 @@ def test_a_secondary_task_and_a_push() -> None:
     options: dict[str, Any] = {"gain": 0.0, "dt": 0.01}
     secondary = cr.track(THESIS, ARC, A, method="priority", secondary=lambda t, q: (row, np.zeros(1)), **options)
     held = cr.track(THESIS, ARC, A, weights=np.where(row[0] == 1.0, np.inf, 1.0), **options)
-    np.testing.assert_allclose(secondary.q, held.q, atol=1e-9)  # to stand still by priority, and by weight
+    np.testing.assert_allclose(secondary.q, held.q, atol=1e-6)  # to stand still by priority, and by weight
     moved = cr.track(THESIS, ARC, A, method="priority", secondary=lambda t, q: (row, np.array([0.05])), **options)
     np.testing.assert_allclose(moved.rates[:, 2], 0.05, atol=1e-9)
-    assert moved.worst_position_error < 1e-3
+    tip = np.einsum("kij,kj->ki", THESIS.jacobian(moved.q), moved.rates)[:, :3]
+    velocity = ARC.sample(moved.t, "position").velocity
+    np.testing.assert_allclose(tip, velocity - 50.0 * moved.position_error, atol=1e-8)
     pushed = cr.track(
         THESIS,
         ARC,
@@ -213,6 +217,10 @@ def test_the_line_is_followed_by_the_local_law_inside_limits() -> None:
     run = cr.track(arm, LINE, L, gain=-2.0, dt=0.0067, limits=True)
     assert run.status == "complete" and run.peak_rate <= 3.0 and run.worst_position_error < 1e-3
     assert run.t[-1] < 2.5
+    arm = THESIS.with_limits(velocity=[10.0] * 8)
+    run = cr.track(arm, LINE, L, method="pseudoinverse", dt=0.002, limits=True)
+    assert run.status == "complete" and run.peak_rate <= 10.0 and run.worst_position_error < 2e-4
+    assert (run.scale == 1.0).all() and len(run.t) == 1001  # saturated in the null space, not slowed down
 
 
 @pytest.mark.parametrize("start", [A, B, C], ids=["A", "B", "C"])
@@ -547,6 +555,7 @@ def test_rotation_vectors_of_half_turns() -> None:
     np.testing.assert_allclose(turned, [[1.2, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, np.pi, 0.0]], atol=1e-15)
 
 
-def test_events_are_in_order_of_time() -> None:
+def test_events_are_known_and_in_order_of_time() -> None:
     run = cr.track(PANDA, *panda_line(0, 0.25, 0.25), dt=0.005, limits=True)
+    assert run.events and {event.kind for event in run.events} <= set(EVENTS)
     assert all(first.t <= second.t for first, second in pairwise(run.events))

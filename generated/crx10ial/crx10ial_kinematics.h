@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs e62b9b6714c4b2d9bf54df0307fa9b7009309622ae35886592275a831b3c76b2.
+ * Made from templates/kernel.h.j2; inputs e42ab2b46913ed02acd2cee3df3c872cf42841be61d15e62d376784c31f92577.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.h: manipulability (pose) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e.
+ * Made from templates/kernel.h.j2; inputs e90f63fa7f3610a7c871463c01e370b3eb776e62054683aa3c03922568c8e012.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e.
- * 1041 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs e90f63fa7f3610a7c871463c01e370b3eb776e62054683aa3c03922568c8e012.
+ * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "crx10ial_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e";
+const char crx10ial_position_digest[] = "e90f63fa7f3610a7c871463c01e370b3eb776e62054683aa3c03922568c8e012";
 #endif
 
 #define LANES 64

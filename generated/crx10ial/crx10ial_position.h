@@ -1,6 +1,6 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e.
- * 1041 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs e90f63fa7f3610a7c871463c01e370b3eb776e62054683aa3c03922568c8e012.
+ * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void crx10ial_minors_position_batchf(ptrdiff_t count, char *const *args, const p
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   366 operations */
+ *   309 operations */
 void crx10ial_null_projector_position(const double *q, double *null_projector);
 void crx10ial_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void crx10ial_null_projector_positionf(const float *q, float *null_projector);

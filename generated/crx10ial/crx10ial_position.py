@@ -1,7 +1,7 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 92432ca2b59c3ec6df3fdad40b8c32bed42cb23e153c1cc51aedf5fd8cb4165e.
-1041 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs e90f63fa7f3610a7c871463c01e370b3eb776e62054683aa3c03922568c8e012.
+984 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -337,7 +337,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 366 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 309 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -379,147 +379,120 @@ def null_projector_position(q):
     t16 = np.where(t15 != 0.0, 1, 0.0)
     t17 = t16 / (t15 + (1 - t16))
     t18 = t2 * t17
-    t19 = t9 * t17
-    t20 = t10 * t17
-    t21 = t11 * t17
-    t22 = t18 * t18 + t19 * t19 + t20 * t20 + t21 * t21
-    t23 = t14 * t17
-    t24 = np.sqrt((t22 + t23 * t23))
-    t25 = np.where(t24 != 0.0, 1, 0.0)
-    t26 = t25 / (t24 + (1 - t25))
-    t27 = t18 * t26
-    t28 = 0.71 * s2
-    t29 = t28 + 0.54 * t6
-    t30 = s4 * t4
-    t31 = 0.16 * (t6 * c5 + s5 * (c4 * t4))
-    t32 = t29 + 0.15 * t30 + t31
-    t33 = t21 * t26
-    t34 = t4 * (t32 - t29) + t6 * (t9 - t5)
-    t35 = t23 * t26
-    t36 = t7 * t31 - t13 * t30
-    t37 = t27 * t32 + t33 * t34 + t35 * t36
-    t38 = t32 - t27 * t37
-    t39 = t19 * t26
-    t40 = t37 * t39
-    t41 = t20 * t26
-    t42 = t37 * t41
-    t43 = t34 - t33 * t37
-    t44 = t38 * t38 + t40 * t40 + t42 * t42 + t43 * t43
-    t45 = t36 - t35 * t37
-    t46 = np.sqrt((t44 + t45 * t45))
-    t47 = np.where(t46 != 0.0, 1, 0.0)
-    t48 = t47 / (t46 + (1 - t47))
-    t49 = t38 * t48
-    t50 = t40 * t48
-    t51 = t42 * t48
-    t52 = t43 * t48
-    t53 = t39 * t50 - t27 * t49 + t41 * t51 - t33 * t52
-    t54 = t45 * t48
-    t55 = t53 - t35 * t54
-    t56 = t49 + t27 * t55
-    t57 = t50 - t39 * t55
-    t58 = t41 * t55 - t51
-    t59 = t52 + t33 * t55
-    t60 = t56 * t56 + t57 * t57 + t58 * t58 + t59 * t59
-    t61 = t54 + t35 * t55
-    t62 = np.sqrt((t60 + t61 * t61))
-    t63 = np.where(t62 != 0.0, 1, 0.0)
-    t64 = t63 / (t62 + (1 - t63))
-    t65 = t56 * t64
-    t66 = t2 * t6
-    t67 = t32 - t28
-    t68 = c4 * t31 + t1 * t30
-    t69 = t33 * t66 - t41 * t67 - t35 * t68 - t32 * t39
-    t70 = t27 * t69
-    t71 = t32 + t39 * t69
-    t72 = t57 * t64
-    t73 = t67 + t41 * t69
-    t74 = t58 * t64
-    t75 = t33 * t69 - t66
-    t76 = t59 * t64
-    t77 = t65 * t70 - t71 * t72 + t73 * t74 + t75 * t76
-    t78 = t68 + t35 * t69
-    t79 = t61 * t64
-    t80 = t77 + t78 * t79
-    t81 = t70 - t65 * t80
-    t82 = t71 + t72 * t80
-    t83 = t73 - t74 * t80
-    t84 = t75 - t76 * t80
-    t85 = t81 * t81 + t82 * t82 + t83 * t83 + t84 * t84
-    t86 = t78 - t79 * t80
-    t87 = np.sqrt((t85 + t86 * t86))
-    t88 = np.where(t87 != 0.0, 1, 0.0)
-    t89 = t88 / (t87 + (1 - t88))
-    t90 = t81 * t89
-    t91 = t82 * t89
-    t92 = t83 * t89
-    t93 = t84 * t89
-    t94 = t27 * t90 + t39 * t91 + t41 * t92 + t33 * t93
-    t95 = t86 * t89
-    t96 = t94 + t35 * t95
-    t97 = t90 - t27 * t96
-    t98 = t39 * t96 - t91
-    t99 = t92 - t41 * t96
-    t100 = t93 - t33 * t96
-    t101 = t65 * t97 + t72 * t98 + t74 * t99 + t76 * t100
-    t102 = t95 - t35 * t96
-    t103 = t101 + t79 * t102
-    t104 = t97 - t65 * t103
-    t105 = t98 - t72 * t103
-    t106 = t99 - t74 * t103
-    t107 = t100 - t76 * t103
-    t108 = t104 * t104 + t105 * t105 + t106 * t106 + t107 * t107
-    t109 = t102 - t79 * t103
-    t110 = np.sqrt((t108 + t109 * t109))
-    t111 = np.where(t110 != 0.0, 1, 0.0)
-    t112 = t111 / (t110 + (1 - t111))
-    t113 = t104 * t112
-    t114 = t105 * t112
-    t115 = t27 * t39 - t65 * t72 - t113 * t114
-    t116 = t106 * t112
-    t117 = -(t27 * t41 + t65 * t74 + t113 * t116)
-    t118 = t107 * t112
-    t119 = -(t27 * t33 + t65 * t76 + t113 * t118)
-    t120 = t109 * t112
-    t121 = -(t27 * t35 + t65 * t79 + t113 * t120)
-    t122 = t39 * t41 - t72 * t74 - t114 * t116
-    t123 = t33 * t39 - t72 * t76 - t114 * t118
-    t124 = t35 * t39 - t72 * t79 - t114 * t120
-    t125 = -(t33 * t41 + t74 * t76 + t116 * t118)
-    t126 = -(t35 * t41 + t74 * t79 + t116 * t120)
-    t127 = -(t33 * t35 + t76 * t79 + t118 * t120)
+    t19 = 0.71 * s2
+    t20 = t19 + 0.54 * t6
+    t21 = s4 * t4
+    t22 = 0.16 * (t6 * c5 + s5 * (c4 * t4))
+    t23 = t20 + 0.15 * t21 + t22
+    t24 = t11 * t17
+    t25 = t4 * (t23 - t20) + t6 * (t9 - t5)
+    t26 = t14 * t17
+    t27 = t7 * t22 - t13 * t21
+    t28 = t18 * t23 + t24 * t25 + t26 * t27
+    t29 = t23 - t18 * t28
+    t30 = t9 * t17
+    t31 = t28 * t30
+    t32 = t10 * t17
+    t33 = t28 * t32
+    t34 = t25 - t24 * t28
+    t35 = t30 * t31 - t18 * t29 + t32 * t33 - t24 * t34
+    t36 = t27 - t26 * t28
+    t37 = t35 - t26 * t36
+    t38 = t29 + t18 * t37
+    t39 = t31 - t30 * t37
+    t40 = t32 * t37 - t33
+    t41 = t34 + t24 * t37
+    t42 = t38 * t38 + t39 * t39 + t40 * t40 + t41 * t41
+    t43 = t36 + t26 * t37
+    t44 = np.sqrt((t42 + t43 * t43))
+    t45 = np.where(t44 != 0.0, 1, 0.0)
+    t46 = t45 / (t44 + (1 - t45))
+    t47 = t38 * t46
+    t48 = t2 * t6
+    t49 = t23 - t19
+    t50 = c4 * t22 + t1 * t21
+    t51 = t24 * t48 - t32 * t49 - t26 * t50 - t23 * t30
+    t52 = t18 * t51
+    t53 = t23 + t30 * t51
+    t54 = t39 * t46
+    t55 = t49 + t32 * t51
+    t56 = t40 * t46
+    t57 = t24 * t51 - t48
+    t58 = t41 * t46
+    t59 = t47 * t52 - t53 * t54 + t55 * t56 + t57 * t58
+    t60 = t50 + t26 * t51
+    t61 = t43 * t46
+    t62 = t59 + t60 * t61
+    t63 = t52 - t47 * t62
+    t64 = t53 + t54 * t62
+    t65 = t55 - t56 * t62
+    t66 = t57 - t58 * t62
+    t67 = t18 * t63 + t30 * t64 + t32 * t65 + t24 * t66
+    t68 = t60 - t61 * t62
+    t69 = t67 + t26 * t68
+    t70 = t63 - t18 * t69
+    t71 = t30 * t69 - t64
+    t72 = t65 - t32 * t69
+    t73 = t66 - t24 * t69
+    t74 = t47 * t70 + t54 * t71 + t56 * t72 + t58 * t73
+    t75 = t68 - t26 * t69
+    t76 = t74 + t61 * t75
+    t77 = t70 - t47 * t76
+    t78 = t71 - t54 * t76
+    t79 = t72 - t56 * t76
+    t80 = t73 - t58 * t76
+    t81 = t77 * t77 + t78 * t78 + t79 * t79 + t80 * t80
+    t82 = t75 - t61 * t76
+    t83 = np.sqrt((t81 + t82 * t82))
+    t84 = np.where(t83 != 0.0, 1, 0.0)
+    t85 = t84 / (t83 + (1 - t84))
+    t86 = t77 * t85
+    t87 = t78 * t85
+    t88 = t18 * t30 - t47 * t54 - t86 * t87
+    t89 = t79 * t85
+    t90 = -(t18 * t32 + t47 * t56 + t86 * t89)
+    t91 = t80 * t85
+    t92 = -(t18 * t24 + t47 * t58 + t86 * t91)
+    t93 = t82 * t85
+    t94 = -(t18 * t26 + t47 * t61 + t86 * t93)
+    t95 = t30 * t32 - t54 * t56 - t87 * t89
+    t96 = t24 * t30 - t54 * t58 - t87 * t91
+    t97 = t26 * t30 - t54 * t61 - t87 * t93
+    t98 = -(t24 * t32 + t56 * t58 + t89 * t91)
+    t99 = -(t26 * t32 + t56 * t61 + t89 * t93)
+    t100 = -(t24 * t26 + t58 * t61 + t91 * t93)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = 1 - t27 * t27 - t65 * t65 - t113 * t113
-    null_projector[..., 1] = t115
-    null_projector[..., 2] = t117
-    null_projector[..., 3] = t119
-    null_projector[..., 4] = t121
+    null_projector[..., 0] = 1 - t18 * t18 - t47 * t47 - t86 * t86
+    null_projector[..., 1] = t88
+    null_projector[..., 2] = t90
+    null_projector[..., 3] = t92
+    null_projector[..., 4] = t94
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t115
-    null_projector[..., 7] = 1 - t39 * t39 - t72 * t72 - t114 * t114
-    null_projector[..., 8] = t122
-    null_projector[..., 9] = t123
-    null_projector[..., 10] = t124
+    null_projector[..., 6] = t88
+    null_projector[..., 7] = 1 - t30 * t30 - t54 * t54 - t87 * t87
+    null_projector[..., 8] = t95
+    null_projector[..., 9] = t96
+    null_projector[..., 10] = t97
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t117
-    null_projector[..., 13] = t122
-    null_projector[..., 14] = 1 - t41 * t41 - t74 * t74 - t116 * t116
-    null_projector[..., 15] = t125
-    null_projector[..., 16] = t126
+    null_projector[..., 12] = t90
+    null_projector[..., 13] = t95
+    null_projector[..., 14] = 1 - t32 * t32 - t56 * t56 - t89 * t89
+    null_projector[..., 15] = t98
+    null_projector[..., 16] = t99
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t119
-    null_projector[..., 19] = t123
-    null_projector[..., 20] = t125
-    null_projector[..., 21] = 1 - t33 * t33 - t76 * t76 - t118 * t118
-    null_projector[..., 22] = t127
+    null_projector[..., 18] = t92
+    null_projector[..., 19] = t96
+    null_projector[..., 20] = t98
+    null_projector[..., 21] = 1 - t24 * t24 - t58 * t58 - t91 * t91
+    null_projector[..., 22] = t100
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t121
-    null_projector[..., 25] = t124
-    null_projector[..., 26] = t126
-    null_projector[..., 27] = t127
-    null_projector[..., 28] = 1 - t35 * t35 - t79 * t79 - t120 * t120
+    null_projector[..., 24] = t94
+    null_projector[..., 25] = t97
+    null_projector[..., 26] = t99
+    null_projector[..., 27] = t100
+    null_projector[..., 28] = 1 - t26 * t26 - t61 * t61 - t93 * t93
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

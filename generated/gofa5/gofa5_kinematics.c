@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 9c04e6884efeeea069bb8d7ea1e7ab8ff055aaa6702ff73e4d0cb48512b0686b.
+ * Made from templates/kernel.c.j2; inputs f969f29913c2f4eef335b716f5d3d24078f02bbffcb9c34a87731695d1cd20c3.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "9c04e6884efeeea069bb8d7ea1e7ab8ff055aaa6702ff73e4d0cb48512b0686b";
+const char gofa5_kinematics_digest[] = "f969f29913c2f4eef335b716f5d3d24078f02bbffcb9c34a87731695d1cd20c3";
 #endif
 
 #define LANES 64

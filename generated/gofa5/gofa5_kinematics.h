@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 9c04e6884efeeea069bb8d7ea1e7ab8ff055aaa6702ff73e4d0cb48512b0686b.
+ * Made from templates/kernel.h.j2; inputs f969f29913c2f4eef335b716f5d3d24078f02bbffcb9c34a87731695d1cd20c3.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

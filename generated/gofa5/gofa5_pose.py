@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 73ed1ca6784a5089c13c4f4c56c19d7847f80cfe68a6628bfa421a9528e41c3a.
+Made from templates/kernel.py.j2; inputs d01a422d3dfe2e346c8f0f8cb6cafae54aca894c8752ca6aa30032028f81eaa4.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs 73ed1ca6784a5089c13c4f4c56c19d7847f80cfe68a6628bfa421a9528e41c3a.
- * 1102 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs d01a422d3dfe2e346c8f0f8cb6cafae54aca894c8752ca6aa30032028f81eaa4.
+ * 1045 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void gofa5_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   373 operations */
+ *   316 operations */
 void gofa5_null_projector_position(const double *q, double *null_projector);
 void gofa5_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void gofa5_null_projector_positionf(const float *q, float *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 73ed1ca6784a5089c13c4f4c56c19d7847f80cfe68a6628bfa421a9528e41c3a.
-1102 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs d01a422d3dfe2e346c8f0f8cb6cafae54aca894c8752ca6aa30032028f81eaa4.
+1045 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -339,7 +339,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 373 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 316 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -380,148 +380,121 @@ def null_projector_position(q):
     t15 = np.where(t14 != 0.0, 1, 0.0)
     t16 = t15 / (t14 + (1 - t15))
     t17 = t1 * t16
-    t18 = t7 * t16
-    t19 = t8 * t16
-    t20 = t9 * t16
-    t21 = t17 * t17 + t18 * t18 + t19 * t19 + t20 * t20
+    t18 = 0.444 * s2
+    t19 = t18 + 0.47 * t4 + 0.11 * t3
+    t20 = t3 * c4
+    t21 = t19 + 0.101 * (c5 * t4 - s5 * t20) + 0.08 * (c5 * t20 + s5 * t4)
     t22 = t13 * t16
-    t23 = np.sqrt((t21 + t22 * t22))
-    t24 = np.where(t23 != 0.0, 1, 0.0)
-    t25 = t24 / (t23 + (1 - t24))
-    t26 = t17 * t25
-    t27 = 0.444 * s2
-    t28 = t27 + 0.47 * t4 + 0.11 * t3
-    t29 = t3 * c4
-    t30 = t28 + 0.101 * (c5 * t4 - s5 * t29) + 0.08 * (c5 * t29 + s5 * t4)
-    t31 = t22 * t25
-    t32 = t30 - t28
-    t33 = s4 * t3
-    t34 = t12 * t32 - t11 * t33
-    t35 = t20 * t25
-    t36 = t3 * t32 + t4 * t11
-    t37 = t31 * t34 - (t26 * t30 + t35 * t36)
-    t38 = t30 + t26 * t37
-    t39 = t18 * t25
-    t40 = t37 * t39
-    t41 = t19 * t25
-    t42 = t37 * t41
-    t43 = t36 + t35 * t37
-    t44 = t38 * t38 + t40 * t40 + t42 * t42 + t43 * t43
-    t45 = t34 - t31 * t37
-    t46 = np.sqrt((t44 + t45 * t45))
-    t47 = np.where(t46 != 0.0, 1, 0.0)
-    t48 = t47 / (t46 + (1 - t47))
-    t49 = t38 * t48
-    t50 = t45 * t48
-    t51 = t40 * t48
-    t52 = t42 * t48
-    t53 = t43 * t48
-    t54 = t26 * t49 + t39 * t51 + t41 * t52 + t35 * t53
-    t55 = t31 * t50 - t54
-    t56 = t49 + t26 * t55
-    t57 = t51 + t39 * t55
-    t58 = t52 + t41 * t55
-    t59 = t53 + t35 * t55
-    t60 = t56 * t56 + t57 * t57 + t58 * t58 + t59 * t59
-    t61 = t50 - t31 * t55
-    t62 = np.sqrt((t60 + t61 * t61))
-    t63 = np.where(t62 != 0.0, 1, 0.0)
-    t64 = t63 / (t62 + (1 - t63))
-    t65 = t56 * t64
-    t66 = t1 * t4
-    t67 = t1 * t33 - c4 * t32
-    t68 = t30 - t27
-    t69 = t35 * t66 + t31 * t67 - t30 * t39 - t41 * t68
-    t70 = t26 * t69
-    t71 = t30 + t39 * t69
-    t72 = t57 * t64
-    t73 = t68 + t41 * t69
-    t74 = t58 * t64
-    t75 = t66 - t35 * t69
-    t76 = t59 * t64
-    t77 = t65 * t70 + t71 * t72 + t73 * t74 - t75 * t76
-    t78 = t67 - t31 * t69
-    t79 = t61 * t64
-    t80 = t77 + t78 * t79
-    t81 = t70 - t65 * t80
-    t82 = t72 * t80 - t71
-    t83 = t74 * t80 - t73
-    t84 = t75 + t76 * t80
-    t85 = t81 * t81 + t82 * t82 + t83 * t83 + t84 * t84
-    t86 = t78 - t79 * t80
-    t87 = np.sqrt((t85 + t86 * t86))
-    t88 = np.where(t87 != 0.0, 1, 0.0)
-    t89 = t88 / (t87 + (1 - t88))
-    t90 = t81 * t89
-    t91 = t82 * t89
-    t92 = t83 * t89
-    t93 = t84 * t89
-    t94 = t39 * t91 - t26 * t90 + t41 * t92 + t35 * t93
-    t95 = t86 * t89
-    t96 = t94 + t31 * t95
-    t97 = t90 + t26 * t96
-    t98 = t91 - t39 * t96
-    t99 = t92 - t41 * t96
-    t100 = t93 - t35 * t96
-    t101 = t65 * t97 - t72 * t98 - t74 * t99 - t76 * t100
-    t102 = t95 - t31 * t96
-    t103 = t101 + t79 * t102
-    t104 = t97 - t65 * t103
-    t105 = t98 + t72 * t103
-    t106 = t99 + t74 * t103
-    t107 = t100 + t76 * t103
-    t108 = t104 * t104 + t105 * t105 + t106 * t106 + t107 * t107
-    t109 = t102 - t79 * t103
-    t110 = np.sqrt((t108 + t109 * t109))
-    t111 = np.where(t110 != 0.0, 1, 0.0)
-    t112 = t111 / (t110 + (1 - t111))
-    t113 = t104 * t112
-    t114 = t105 * t112
-    t115 = t26 * t39 + t65 * t72 - t113 * t114
-    t116 = t106 * t112
-    t117 = t26 * t41 + t65 * t74 - t113 * t116
-    t118 = t107 * t112
-    t119 = t26 * t35 + t65 * t76 - t113 * t118
-    t120 = t109 * t112
-    t121 = t26 * t31 - t65 * t79 - t113 * t120
-    t122 = -(t39 * t41 + t72 * t74 + t114 * t116)
-    t123 = -(t35 * t39 + t72 * t76 + t114 * t118)
-    t124 = t72 * t79 - t31 * t39 - t114 * t120
-    t125 = -(t35 * t41 + t74 * t76 + t116 * t118)
-    t126 = t74 * t79 - t31 * t41 - t116 * t120
-    t127 = t76 * t79 - t31 * t35 - t118 * t120
+    t23 = t21 - t19
+    t24 = s4 * t3
+    t25 = t12 * t23 - t11 * t24
+    t26 = t9 * t16
+    t27 = t3 * t23 + t4 * t11
+    t28 = t22 * t25 - (t17 * t21 + t26 * t27)
+    t29 = t21 + t17 * t28
+    t30 = t25 - t22 * t28
+    t31 = t7 * t16
+    t32 = t28 * t31
+    t33 = t8 * t16
+    t34 = t28 * t33
+    t35 = t27 + t26 * t28
+    t36 = t17 * t29 + t31 * t32 + t33 * t34 + t26 * t35
+    t37 = t22 * t30 - t36
+    t38 = t29 + t17 * t37
+    t39 = t32 + t31 * t37
+    t40 = t34 + t33 * t37
+    t41 = t35 + t26 * t37
+    t42 = t38 * t38 + t39 * t39 + t40 * t40 + t41 * t41
+    t43 = t30 - t22 * t37
+    t44 = np.sqrt((t42 + t43 * t43))
+    t45 = np.where(t44 != 0.0, 1, 0.0)
+    t46 = t45 / (t44 + (1 - t45))
+    t47 = t38 * t46
+    t48 = t1 * t4
+    t49 = t1 * t24 - c4 * t23
+    t50 = t21 - t18
+    t51 = t26 * t48 + t22 * t49 - t21 * t31 - t33 * t50
+    t52 = t17 * t51
+    t53 = t21 + t31 * t51
+    t54 = t39 * t46
+    t55 = t50 + t33 * t51
+    t56 = t40 * t46
+    t57 = t48 - t26 * t51
+    t58 = t41 * t46
+    t59 = t47 * t52 + t53 * t54 + t55 * t56 - t57 * t58
+    t60 = t49 - t22 * t51
+    t61 = t43 * t46
+    t62 = t59 + t60 * t61
+    t63 = t52 - t47 * t62
+    t64 = t54 * t62 - t53
+    t65 = t56 * t62 - t55
+    t66 = t57 + t58 * t62
+    t67 = t31 * t64 - t17 * t63 + t33 * t65 + t26 * t66
+    t68 = t60 - t61 * t62
+    t69 = t67 + t22 * t68
+    t70 = t63 + t17 * t69
+    t71 = t64 - t31 * t69
+    t72 = t65 - t33 * t69
+    t73 = t66 - t26 * t69
+    t74 = t47 * t70 - t54 * t71 - t56 * t72 - t58 * t73
+    t75 = t68 - t22 * t69
+    t76 = t74 + t61 * t75
+    t77 = t70 - t47 * t76
+    t78 = t71 + t54 * t76
+    t79 = t72 + t56 * t76
+    t80 = t73 + t58 * t76
+    t81 = t77 * t77 + t78 * t78 + t79 * t79 + t80 * t80
+    t82 = t75 - t61 * t76
+    t83 = np.sqrt((t81 + t82 * t82))
+    t84 = np.where(t83 != 0.0, 1, 0.0)
+    t85 = t84 / (t83 + (1 - t84))
+    t86 = t77 * t85
+    t87 = t78 * t85
+    t88 = t17 * t31 + t47 * t54 - t86 * t87
+    t89 = t79 * t85
+    t90 = t17 * t33 + t47 * t56 - t86 * t89
+    t91 = t80 * t85
+    t92 = t17 * t26 + t47 * t58 - t86 * t91
+    t93 = t82 * t85
+    t94 = t17 * t22 - t47 * t61 - t86 * t93
+    t95 = -(t31 * t33 + t54 * t56 + t87 * t89)
+    t96 = -(t26 * t31 + t54 * t58 + t87 * t91)
+    t97 = t54 * t61 - t22 * t31 - t87 * t93
+    t98 = -(t26 * t33 + t56 * t58 + t89 * t91)
+    t99 = t56 * t61 - t22 * t33 - t89 * t93
+    t100 = t58 * t61 - t22 * t26 - t91 * t93
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = 1 - t26 * t26 - t65 * t65 - t113 * t113
-    null_projector[..., 1] = t115
-    null_projector[..., 2] = t117
-    null_projector[..., 3] = t119
-    null_projector[..., 4] = t121
+    null_projector[..., 0] = 1 - t17 * t17 - t47 * t47 - t86 * t86
+    null_projector[..., 1] = t88
+    null_projector[..., 2] = t90
+    null_projector[..., 3] = t92
+    null_projector[..., 4] = t94
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t115
-    null_projector[..., 7] = 1 - t39 * t39 - t72 * t72 - t114 * t114
-    null_projector[..., 8] = t122
-    null_projector[..., 9] = t123
-    null_projector[..., 10] = t124
+    null_projector[..., 6] = t88
+    null_projector[..., 7] = 1 - t31 * t31 - t54 * t54 - t87 * t87
+    null_projector[..., 8] = t95
+    null_projector[..., 9] = t96
+    null_projector[..., 10] = t97
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t117
-    null_projector[..., 13] = t122
-    null_projector[..., 14] = 1 - t41 * t41 - t74 * t74 - t116 * t116
-    null_projector[..., 15] = t125
-    null_projector[..., 16] = t126
+    null_projector[..., 12] = t90
+    null_projector[..., 13] = t95
+    null_projector[..., 14] = 1 - t33 * t33 - t56 * t56 - t89 * t89
+    null_projector[..., 15] = t98
+    null_projector[..., 16] = t99
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t119
-    null_projector[..., 19] = t123
-    null_projector[..., 20] = t125
-    null_projector[..., 21] = 1 - t35 * t35 - t76 * t76 - t118 * t118
-    null_projector[..., 22] = t127
+    null_projector[..., 18] = t92
+    null_projector[..., 19] = t96
+    null_projector[..., 20] = t98
+    null_projector[..., 21] = 1 - t26 * t26 - t58 * t58 - t91 * t91
+    null_projector[..., 22] = t100
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t121
-    null_projector[..., 25] = t124
-    null_projector[..., 26] = t126
-    null_projector[..., 27] = t127
-    null_projector[..., 28] = 1 - t31 * t31 - t79 * t79 - t120 * t120
+    null_projector[..., 24] = t94
+    null_projector[..., 25] = t97
+    null_projector[..., 26] = t99
+    null_projector[..., 27] = t100
+    null_projector[..., 28] = 1 - t22 * t22 - t61 * t61 - t93 * t93
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs bce1d637dd6a7e48c59c0d2e5eae2c04bdf8724643a565bd5fccc85cd5af6c95.
+ * Made from templates/kernel.c.j2; inputs 346a6fe1c42c473b657bb2b7a5955fda556eada472733275d449dc9cd65b1e08.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "bce1d637dd6a7e48c59c0d2e5eae2c04bdf8724643a565bd5fccc85cd5af6c95";
+const char iiwa14_continuation_pose_digest[] = "346a6fe1c42c473b657bb2b7a5955fda556eada472733275d449dc9cd65b1e08";
 #endif
 
 #define LANES 32

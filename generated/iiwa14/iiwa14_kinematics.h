@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs e5fee43d2038b92c3da8171fec37256aedeacdf1c730132cbc4b8922ad832aef.
+ * Made from templates/kernel.h.j2; inputs a3f93d8b123bb3b8cdb98089787d4061f8ca422fa030215c38825f57920eef60.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 18013a5257f898e076f8226d048c962ff8a75ded3e5c12dbcb54b824fc1eca47.
- * 1840 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 00b66b82898619b1cbf7f06e698fb892bec6e6adce7b707d72603b7a12ae81fc.
+ * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "iiwa14_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "18013a5257f898e076f8226d048c962ff8a75ded3e5c12dbcb54b824fc1eca47";
+const char iiwa14_pose_digest[] = "00b66b82898619b1cbf7f06e698fb892bec6e6adce7b707d72603b7a12ae81fc";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 18013a5257f898e076f8226d048c962ff8a75ded3e5c12dbcb54b824fc1eca47.
- * 1840 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 00b66b82898619b1cbf7f06e698fb892bec6e6adce7b707d72603b7a12ae81fc.
+ * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -64,7 +64,7 @@ void iiwa14_null_vector_pose_batchf(ptrdiff_t count, char *const *args, const pt
 /* projector I - J^+ J onto the null space of the pose Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   945 operations */
+ *   831 operations */
 void iiwa14_null_projector_pose(const double *q, double *null_projector);
 void iiwa14_null_projector_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void iiwa14_null_projector_posef(const float *q, float *null_projector);

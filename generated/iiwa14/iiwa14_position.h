@@ -1,6 +1,6 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 18013a5257f898e076f8226d048c962ff8a75ded3e5c12dbcb54b824fc1eca47.
- * 1422 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 00b66b82898619b1cbf7f06e698fb892bec6e6adce7b707d72603b7a12ae81fc.
+ * 1362 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void iiwa14_minors_position_batchf(ptrdiff_t count, char *const *args, const ptr
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   413 operations */
+ *   353 operations */
 void iiwa14_null_projector_position(const double *q, double *null_projector);
 void iiwa14_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void iiwa14_null_projector_positionf(const float *q, float *null_projector);

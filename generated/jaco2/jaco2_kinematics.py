@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6d29a8d0ab3fd67e641b26b96cccfa6b94b3f4e1a10dbcda81988e19fb76fd65.
+Made from templates/kernel.py.j2; inputs eb8f5a07d0dfb3856f89b4f8bbc2c5baa16046eb02870032863ef077833ee4c5.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

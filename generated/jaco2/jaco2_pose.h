@@ -1,5 +1,5 @@
 /* jaco2_pose.h: manipulability (pose) of jaco2.
- * Made from templates/kernel.h.j2; inputs 7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960.
+ * Made from templates/kernel.h.j2; inputs d64b9d1279319476a6729d8f33652d68f96dc3485317c96cb9548fde3c02161c.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960.
- * 1191 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs d64b9d1279319476a6729d8f33652d68f96dc3485317c96cb9548fde3c02161c.
+ * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "jaco2_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960";
+const char jaco2_position_digest[] = "d64b9d1279319476a6729d8f33652d68f96dc3485317c96cb9548fde3c02161c";
 #endif
 
 #define LANES 64

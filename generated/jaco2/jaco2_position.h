@@ -1,6 +1,6 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs 7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960.
- * 1191 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs d64b9d1279319476a6729d8f33652d68f96dc3485317c96cb9548fde3c02161c.
+ * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void jaco2_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   393 operations */
+ *   336 operations */
 void jaco2_null_projector_position(const double *q, double *null_projector);
 void jaco2_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void jaco2_null_projector_positionf(const float *q, float *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7d367a4f8f25606e53cafff1d7f8591017343c5dd8b70b3dcc40e32baa254960.
-1191 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs d64b9d1279319476a6729d8f33652d68f96dc3485317c96cb9548fde3c02161c.
+1134 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -371,7 +371,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 393 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 336 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -418,150 +418,123 @@ def null_projector_position(q):
     t21 = np.where(t20 != 0.0, 1, 0.0)
     t22 = t21 / (t20 + (1 - t21))
     t23 = t2 * t22
-    t24 = t11 * t22
-    t25 = t12 * t22
-    t26 = t14 * t22
-    t27 = t23 * t23 + t24 * t24 + t25 * t25 + t26 * t26
-    t28 = t19 * t22
-    t29 = np.sqrt((t27 + t28 * t28))
-    t30 = np.where(t29 != 0.0, 1, 0.0)
-    t31 = t30 / (t29 + (1 - t30))
-    t32 = t23 * t31
-    t33 = 0.41 * c2
-    t34 = t33 + 0.2500816549469513 * t6
-    t35 = s4 * t4
-    t36 = t34 + 0.04278165494695127 * t6 - 0.07409999999999999 * t35
-    t37 = c5 * (0.5000000000000001 * t35 + 0.8660254037844386 * t6) + s5 * (c4 * t4)
-    t38 = -0.5000000000000001 * t6 + 0.8660254037844386 * t35
-    t39 = t36 - 0.17561406460551018 * t37 - 0.10139082747347566 * t38
-    t40 = t28 * t31
-    t41 = t39 - t36
-    t42 = t10 * t41 - t16 * t38
-    t43 = t26 * t31
-    t44 = t6 * (t11 - t5) + t4 * (t39 - t34)
-    t45 = t40 * t42 - (t32 * t39 + t43 * t44)
-    t46 = t39 + t32 * t45
-    t47 = t24 * t31
-    t48 = t45 * t47
-    t49 = t25 * t31
-    t50 = t45 * t49
-    t51 = t44 + t43 * t45
-    t52 = t46 * t46 + t48 * t48 + t50 * t50 + t51 * t51
-    t53 = t42 - t40 * t45
-    t54 = np.sqrt((t52 + t53 * t53))
-    t55 = np.where(t54 != 0.0, 1, 0.0)
-    t56 = t55 / (t54 + (1 - t55))
-    t57 = t46 * t56
-    t58 = t53 * t56
-    t59 = t48 * t56
-    t60 = t50 * t56
-    t61 = t51 * t56
-    t62 = t32 * t57 + t47 * t59 + t49 * t60 + t43 * t61
-    t63 = t40 * t58 - t62
-    t64 = t57 + t32 * t63
-    t65 = t59 + t47 * t63
-    t66 = t60 + t49 * t63
-    t67 = t61 + t43 * t63
-    t68 = t64 * t64 + t65 * t65 + t66 * t66 + t67 * t67
-    t69 = t58 - t40 * t63
-    t70 = np.sqrt((t68 + t69 * t69))
-    t71 = np.where(t70 != 0.0, 1, 0.0)
-    t72 = t71 / (t70 + (1 - t71))
-    t73 = t64 * t72
-    t74 = t6 * t13
-    t75 = t18 * t38 - t17 * t41
-    t76 = t39 - t33
-    t77 = t43 * t74 - t39 * t47 + t40 * t75 - t49 * t76
-    t78 = t32 * t77
-    t79 = t39 + t47 * t77
-    t80 = t65 * t72
-    t81 = t76 + t49 * t77
-    t82 = t66 * t72
-    t83 = t43 * t77 - t74
-    t84 = t67 * t72
-    t85 = t73 * t78 + t79 * t80 + t81 * t82 + t83 * t84
-    t86 = t75 - t40 * t77
-    t87 = t69 * t72
-    t88 = t85 + t86 * t87
-    t89 = t78 - t73 * t88
-    t90 = t79 - t80 * t88
-    t91 = t82 * t88 - t81
-    t92 = t83 - t84 * t88
-    t93 = t89 * t89 + t90 * t90 + t91 * t91 + t92 * t92
-    t94 = t86 - t87 * t88
-    t95 = np.sqrt((t93 + t94 * t94))
-    t96 = np.where(t95 != 0.0, 1, 0.0)
-    t97 = t96 / (t95 + (1 - t96))
-    t98 = t89 * t97
-    t99 = t91 * t97
-    t100 = t90 * t97
-    t101 = t92 * t97
-    t102 = t49 * t99 - (t32 * t98 + t47 * t100) - t43 * t101
-    t103 = t94 * t97
-    t104 = t102 + t40 * t103
-    t105 = t98 + t32 * t104
-    t106 = t100 + t47 * t104
-    t107 = t99 - t49 * t104
-    t108 = t101 + t43 * t104
-    t109 = t73 * t105 + t80 * t106 - t82 * t107 + t84 * t108
-    t110 = t103 - t40 * t104
-    t111 = t109 + t87 * t110
-    t112 = t105 - t73 * t111
-    t113 = t106 - t80 * t111
-    t114 = t107 + t82 * t111
-    t115 = t108 - t84 * t111
-    t116 = t112 * t112 + t113 * t113 + t114 * t114 + t115 * t115
-    t117 = t110 - t87 * t111
-    t118 = np.sqrt((t116 + t117 * t117))
-    t119 = np.where(t118 != 0.0, 1, 0.0)
-    t120 = t119 / (t118 + (1 - t119))
-    t121 = t112 * t120
-    t122 = t113 * t120
-    t123 = -(t32 * t47 + t73 * t80 + t121 * t122)
-    t124 = t114 * t120
-    t125 = t32 * t49 + t73 * t82 - t121 * t124
-    t126 = t115 * t120
-    t127 = -(t32 * t43 + t73 * t84 + t121 * t126)
-    t128 = t117 * t120
-    t129 = t32 * t40 - t73 * t87 - t121 * t128
-    t130 = t47 * t49 + t80 * t82 - t122 * t124
-    t131 = -(t43 * t47 + t80 * t84 + t122 * t126)
-    t132 = t40 * t47 - t80 * t87 - t122 * t128
-    t133 = t43 * t49 + t82 * t84 - t124 * t126
-    t134 = t82 * t87 - t40 * t49 - t124 * t128
-    t135 = t40 * t43 - t84 * t87 - t126 * t128
+    t24 = 0.41 * c2
+    t25 = t24 + 0.2500816549469513 * t6
+    t26 = s4 * t4
+    t27 = t25 + 0.04278165494695127 * t6 - 0.07409999999999999 * t26
+    t28 = c5 * (0.5000000000000001 * t26 + 0.8660254037844386 * t6) + s5 * (c4 * t4)
+    t29 = -0.5000000000000001 * t6 + 0.8660254037844386 * t26
+    t30 = t27 - 0.17561406460551018 * t28 - 0.10139082747347566 * t29
+    t31 = t19 * t22
+    t32 = t30 - t27
+    t33 = t10 * t32 - t16 * t29
+    t34 = t14 * t22
+    t35 = t6 * (t11 - t5) + t4 * (t30 - t25)
+    t36 = t31 * t33 - (t23 * t30 + t34 * t35)
+    t37 = t30 + t23 * t36
+    t38 = t33 - t31 * t36
+    t39 = t11 * t22
+    t40 = t36 * t39
+    t41 = t12 * t22
+    t42 = t36 * t41
+    t43 = t35 + t34 * t36
+    t44 = t23 * t37 + t39 * t40 + t41 * t42 + t34 * t43
+    t45 = t31 * t38 - t44
+    t46 = t37 + t23 * t45
+    t47 = t40 + t39 * t45
+    t48 = t42 + t41 * t45
+    t49 = t43 + t34 * t45
+    t50 = t46 * t46 + t47 * t47 + t48 * t48 + t49 * t49
+    t51 = t38 - t31 * t45
+    t52 = np.sqrt((t50 + t51 * t51))
+    t53 = np.where(t52 != 0.0, 1, 0.0)
+    t54 = t53 / (t52 + (1 - t53))
+    t55 = t46 * t54
+    t56 = t6 * t13
+    t57 = t18 * t29 - t17 * t32
+    t58 = t30 - t24
+    t59 = t34 * t56 - t30 * t39 + t31 * t57 - t41 * t58
+    t60 = t23 * t59
+    t61 = t30 + t39 * t59
+    t62 = t47 * t54
+    t63 = t58 + t41 * t59
+    t64 = t48 * t54
+    t65 = t34 * t59 - t56
+    t66 = t49 * t54
+    t67 = t55 * t60 + t61 * t62 + t63 * t64 + t65 * t66
+    t68 = t57 - t31 * t59
+    t69 = t51 * t54
+    t70 = t67 + t68 * t69
+    t71 = t60 - t55 * t70
+    t72 = t64 * t70 - t63
+    t73 = t61 - t62 * t70
+    t74 = t65 - t66 * t70
+    t75 = t41 * t72 - (t23 * t71 + t39 * t73) - t34 * t74
+    t76 = t68 - t69 * t70
+    t77 = t75 + t31 * t76
+    t78 = t71 + t23 * t77
+    t79 = t73 + t39 * t77
+    t80 = t72 - t41 * t77
+    t81 = t74 + t34 * t77
+    t82 = t55 * t78 + t62 * t79 - t64 * t80 + t66 * t81
+    t83 = t76 - t31 * t77
+    t84 = t82 + t69 * t83
+    t85 = t78 - t55 * t84
+    t86 = t79 - t62 * t84
+    t87 = t80 + t64 * t84
+    t88 = t81 - t66 * t84
+    t89 = t85 * t85 + t86 * t86 + t87 * t87 + t88 * t88
+    t90 = t83 - t69 * t84
+    t91 = np.sqrt((t89 + t90 * t90))
+    t92 = np.where(t91 != 0.0, 1, 0.0)
+    t93 = t92 / (t91 + (1 - t92))
+    t94 = t85 * t93
+    t95 = t86 * t93
+    t96 = -(t23 * t39 + t55 * t62 + t94 * t95)
+    t97 = t87 * t93
+    t98 = t23 * t41 + t55 * t64 - t94 * t97
+    t99 = t88 * t93
+    t100 = -(t23 * t34 + t55 * t66 + t94 * t99)
+    t101 = t90 * t93
+    t102 = t23 * t31 - t55 * t69 - t94 * t101
+    t103 = t39 * t41 + t62 * t64 - t95 * t97
+    t104 = -(t34 * t39 + t62 * t66 + t95 * t99)
+    t105 = t31 * t39 - t62 * t69 - t95 * t101
+    t106 = t34 * t41 + t64 * t66 - t97 * t99
+    t107 = t64 * t69 - t31 * t41 - t97 * t101
+    t108 = t31 * t34 - t66 * t69 - t99 * t101
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = 1 - t32 * t32 - t73 * t73 - t121 * t121
-    null_projector[..., 1] = t123
-    null_projector[..., 2] = t125
-    null_projector[..., 3] = t127
-    null_projector[..., 4] = t129
+    null_projector[..., 0] = 1 - t23 * t23 - t55 * t55 - t94 * t94
+    null_projector[..., 1] = t96
+    null_projector[..., 2] = t98
+    null_projector[..., 3] = t100
+    null_projector[..., 4] = t102
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t123
-    null_projector[..., 7] = 1 - t47 * t47 - t80 * t80 - t122 * t122
-    null_projector[..., 8] = t130
-    null_projector[..., 9] = t131
-    null_projector[..., 10] = t132
+    null_projector[..., 6] = t96
+    null_projector[..., 7] = 1 - t39 * t39 - t62 * t62 - t95 * t95
+    null_projector[..., 8] = t103
+    null_projector[..., 9] = t104
+    null_projector[..., 10] = t105
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t125
-    null_projector[..., 13] = t130
-    null_projector[..., 14] = 1 - t49 * t49 - t82 * t82 - t124 * t124
-    null_projector[..., 15] = t133
-    null_projector[..., 16] = t134
+    null_projector[..., 12] = t98
+    null_projector[..., 13] = t103
+    null_projector[..., 14] = 1 - t41 * t41 - t64 * t64 - t97 * t97
+    null_projector[..., 15] = t106
+    null_projector[..., 16] = t107
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t127
-    null_projector[..., 19] = t131
-    null_projector[..., 20] = t133
-    null_projector[..., 21] = 1 - t43 * t43 - t84 * t84 - t126 * t126
-    null_projector[..., 22] = t135
+    null_projector[..., 18] = t100
+    null_projector[..., 19] = t104
+    null_projector[..., 20] = t106
+    null_projector[..., 21] = 1 - t34 * t34 - t66 * t66 - t99 * t99
+    null_projector[..., 22] = t108
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t129
-    null_projector[..., 25] = t132
-    null_projector[..., 26] = t134
-    null_projector[..., 27] = t135
-    null_projector[..., 28] = 1 - t40 * t40 - t87 * t87 - t128 * t128
+    null_projector[..., 24] = t102
+    null_projector[..., 25] = t105
+    null_projector[..., 26] = t107
+    null_projector[..., 27] = t108
+    null_projector[..., 28] = 1 - t31 * t31 - t69 * t69 - t101 * t101
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

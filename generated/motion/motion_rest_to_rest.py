@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 266c73d0b30f9927b3fde48cab34577ec2102b2f1a7b8cc9bdc459a9de2cd5a6.
+Made from templates/kernel.py.j2; inputs 04410ad3a9252c97206e93fb23a91ea42b24d86e92c591f3ff3c546dbfea5310.
 56 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 716ad814f6b55319238b6a8b67cb8abfaa3d94443ef236e098dd8d7321feb187.
+Made from templates/kernel.py.j2; inputs 2fe6e815d87445e6eccabc5ef130cfae249ab3eeaee4b0ca51ffdd6005c18e91.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

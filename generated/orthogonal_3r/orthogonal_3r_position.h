@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.h: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 716ad814f6b55319238b6a8b67cb8abfaa3d94443ef236e098dd8d7321feb187.
+ * Made from templates/kernel.h.j2; inputs 2fe6e815d87445e6eccabc5ef130cfae249ab3eeaee4b0ca51ffdd6005c18e91.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

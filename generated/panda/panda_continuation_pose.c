@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs 5d8d363fa5d7a8adb542569b0d9a05fe9faf1063850b35958f563f014906dbdc.
+ * Made from templates/kernel.c.j2; inputs 87dad97640ce36dd7e44d806730bc4dddfb7c713afeee6082bf35cab217c515d.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "5d8d363fa5d7a8adb542569b0d9a05fe9faf1063850b35958f563f014906dbdc";
+const char panda_continuation_pose_digest[] = "87dad97640ce36dd7e44d806730bc4dddfb7c713afeee6082bf35cab217c515d";
 #endif
 
 #define LANES 32

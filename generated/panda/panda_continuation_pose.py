@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5d8d363fa5d7a8adb542569b0d9a05fe9faf1063850b35958f563f014906dbdc.
+Made from templates/kernel.py.j2; inputs 87dad97640ce36dd7e44d806730bc4dddfb7c713afeee6082bf35cab217c515d.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs 64b8e16a4f6902c45509ccb83a474e4e830be5bd92489032414077c6ab70e328.
+ * Made from templates/kernel.c.j2; inputs c6afafe7d3686f2af7d5d90756dbb9b340df8872b02900fde56f743590a887fb.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "64b8e16a4f6902c45509ccb83a474e4e830be5bd92489032414077c6ab70e328";
+const char panda_dynamics_digest[] = "c6afafe7d3686f2af7d5d90756dbb9b340df8872b02900fde56f743590a887fb";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* panda_dynamics.h: dynamics of panda.
- * Made from templates/kernel.h.j2; inputs 64b8e16a4f6902c45509ccb83a474e4e830be5bd92489032414077c6ab70e328.
+ * Made from templates/kernel.h.j2; inputs c6afafe7d3686f2af7d5d90756dbb9b340df8872b02900fde56f743590a887fb.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

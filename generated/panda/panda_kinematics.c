@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 878499da14ab7bd88d80a77377b90593f4203c0062cadf2323f88f7643a17ca5.
+ * Made from templates/kernel.c.j2; inputs cbf7888147f8a95dd86461832d7b727f7833341a83d42e9b3edcacee2334d415.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "878499da14ab7bd88d80a77377b90593f4203c0062cadf2323f88f7643a17ca5";
+const char panda_kinematics_digest[] = "cbf7888147f8a95dd86461832d7b727f7833341a83d42e9b3edcacee2334d415";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 878499da14ab7bd88d80a77377b90593f4203c0062cadf2323f88f7643a17ca5.
+Made from templates/kernel.py.j2; inputs cbf7888147f8a95dd86461832d7b727f7833341a83d42e9b3edcacee2334d415.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

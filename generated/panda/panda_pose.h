@@ -1,6 +1,6 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs c2772a1907e41fab35b97a73cff4ca9a37da49c766b9ce8c1d3508df9f38ba3b.
- * 2020 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs d574154ddf95c512446c34384cbabf4c11dae7fbe9fcb5fe2d9fefb2c3f09509.
+ * 1906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -64,7 +64,7 @@ void panda_null_vector_pose_batchf(ptrdiff_t count, char *const *args, const ptr
 /* projector I - J^+ J onto the null space of the pose Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   969 operations */
+ *   855 operations */
 void panda_null_projector_pose(const double *q, double *null_projector);
 void panda_null_projector_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void panda_null_projector_posef(const float *q, float *null_projector);

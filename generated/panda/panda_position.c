@@ -1,6 +1,6 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs c2772a1907e41fab35b97a73cff4ca9a37da49c766b9ce8c1d3508df9f38ba3b.
- * 1582 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs d574154ddf95c512446c34384cbabf4c11dae7fbe9fcb5fe2d9fefb2c3f09509.
+ * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "c2772a1907e41fab35b97a73cff4ca9a37da49c766b9ce8c1d3508df9f38ba3b";
+const char panda_position_digest[] = "d574154ddf95c512446c34384cbabf4c11dae7fbe9fcb5fe2d9fefb2c3f09509";
 #endif
 
 #define LANES 64

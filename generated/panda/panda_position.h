@@ -1,6 +1,6 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs c2772a1907e41fab35b97a73cff4ca9a37da49c766b9ce8c1d3508df9f38ba3b.
- * 1582 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs d574154ddf95c512446c34384cbabf4c11dae7fbe9fcb5fe2d9fefb2c3f09509.
+ * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void panda_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrd
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[7]
  *   out  null_projector[7][7]
- *   441 operations */
+ *   381 operations */
 void panda_null_projector_position(const double *q, double *null_projector);
 void panda_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void panda_null_projector_positionf(const float *q, float *null_projector);

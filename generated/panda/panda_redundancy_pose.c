@@ -1,6 +1,6 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs bff57c8041c05956f990ea44cb913120ab0faaa18e79396d469204216a5c6739.
- * 2948 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs bac75b9639f25f543b9f617cd9ece3c9cfe15a12eee23cf70114e1dd54a6a654.
+ * 2639 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_redundancy_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "bff57c8041c05956f990ea44cb913120ab0faaa18e79396d469204216a5c6739";
+const char panda_redundancy_pose_digest[] = "bac75b9639f25f543b9f617cd9ece3c9cfe15a12eee23cf70114e1dd54a6a654";
 #endif
 
 #define LANES 16
@@ -24,9 +24,9 @@ const char panda_redundancy_pose_digest[] = "bff57c8041c05956f990ea44cb913120ab0
 #undef TERMS
 #undef LANES
 
-void CHAINRULE_NAME(panda_step_pose)(const real *q, const real *held, const real *velocity, const real *mobility, const real *push, const real *middle, const real *narrowness, const real *settings, real *q_next, real *rates, real *manipulability, real *error, real *null_motion)
+void CHAINRULE_NAME(panda_step_pose)(const real *q, const real *held, const real *velocity, const real *push, const real *joints, const real *settings, real *q_next, real *rates, real *manipulability, real *error, real *null_motion)
 {
-    panda_step_pose_one(q, held, velocity, mobility, push, middle, narrowness, settings, q_next, rates, manipulability, error, null_motion);
+    panda_step_pose_one(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
 }
 
 void CHAINRULE_NAME(panda_step_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
@@ -34,10 +34,8 @@ void CHAINRULE_NAME(panda_step_pose_batch)(ptrdiff_t count, char *const *args, c
     real q[7 * 16];
     real held[16 * 16];
     real velocity[6 * 16];
-    real mobility[7 * 16];
     real push[7 * 16];
-    real middle[7 * 16];
-    real narrowness[7 * 16];
+    real joints[28 * 16];
     real settings[12 * 16];
     real q_next[7 * 16];
     real rates[7 * 16];
@@ -49,42 +47,36 @@ void CHAINRULE_NAME(panda_step_pose_batch)(ptrdiff_t count, char *const *args, c
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 16);
         if (taken == 1) {
-            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[13], steps[13]);
-            chainrule_gather(held, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[14], steps[15]);
-            chainrule_gather(velocity, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[16], steps[16]);
-            chainrule_gather(mobility, 1, 1, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[17], steps[17]);
-            chainrule_gather(push, 1, 1, args[4] + start * steps[4], steps[4], 1, 7, 7 * steps[18], steps[18]);
-            chainrule_gather(middle, 1, 1, args[5] + start * steps[5], steps[5], 1, 7, 7 * steps[19], steps[19]);
-            chainrule_gather(narrowness, 1, 1, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[20], steps[20]);
-            chainrule_gather(settings, 1, 1, args[7] + start * steps[7], steps[7], 1, 12, 12 * steps[21], steps[21]);
-            panda_step_pose_one(q, held, velocity, mobility, push, middle, narrowness, settings, q_next, rates, manipulability, error, null_motion);
-            chainrule_scatter(q_next, 1, 1, args[8] + start * steps[8], steps[8], 1, 7, 7 * steps[22], steps[22], 0);
-            chainrule_scatter(rates, 1, 1, args[9] + start * steps[9], steps[9], 1, 7, 7 * steps[23], steps[23], 0);
-            chainrule_scatter(manipulability, 1, 1, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-            chainrule_scatter(error, 1, 1, args[11] + start * steps[11], steps[11], 1, 6, 6 * steps[24], steps[24], 0);
-            chainrule_scatter(null_motion, 1, 1, args[12] + start * steps[12], steps[12], 1, 7, 7 * steps[25], steps[25], 0);
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[11], steps[11]);
+            chainrule_gather(held, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[12], steps[13]);
+            chainrule_gather(velocity, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[14], steps[14]);
+            chainrule_gather(push, 1, 1, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[15], steps[15]);
+            chainrule_gather(joints, 1, 1, args[4] + start * steps[4], steps[4], 4, 7, steps[16], steps[17]);
+            chainrule_gather(settings, 1, 1, args[5] + start * steps[5], steps[5], 1, 12, 12 * steps[18], steps[18]);
+            panda_step_pose_one(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
+            chainrule_scatter(q_next, 1, 1, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[19], steps[19], 0);
+            chainrule_scatter(rates, 1, 1, args[7] + start * steps[7], steps[7], 1, 7, 7 * steps[20], steps[20], 0);
+            chainrule_scatter(manipulability, 1, 1, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(error, 1, 1, args[9] + start * steps[9], steps[9], 1, 6, 6 * steps[21], steps[21], 0);
+            chainrule_scatter(null_motion, 1, 1, args[10] + start * steps[10], steps[10], 1, 7, 7 * steps[22], steps[22], 0);
         } else {
-            chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[13], steps[13]);
+            chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[11], steps[11]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(held, 16, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[14], steps[15]);
+                chainrule_gather(held, 16, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[12], steps[13]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
-                chainrule_gather(velocity, 16, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[16], steps[16]);
+                chainrule_gather(velocity, 16, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[14], steps[14]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
-                chainrule_gather(mobility, 16, taken, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[17], steps[17]);
+                chainrule_gather(push, 16, taken, args[3] + start * steps[3], steps[3], 1, 7, 7 * steps[15], steps[15]);
             if (start == 0 || steps[4] != 0) /* the same for all: once */
-                chainrule_gather(push, 16, taken, args[4] + start * steps[4], steps[4], 1, 7, 7 * steps[18], steps[18]);
+                chainrule_gather(joints, 16, taken, args[4] + start * steps[4], steps[4], 4, 7, steps[16], steps[17]);
             if (start == 0 || steps[5] != 0) /* the same for all: once */
-                chainrule_gather(middle, 16, taken, args[5] + start * steps[5], steps[5], 1, 7, 7 * steps[19], steps[19]);
-            if (start == 0 || steps[6] != 0) /* the same for all: once */
-                chainrule_gather(narrowness, 16, taken, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[20], steps[20]);
-            if (start == 0 || steps[7] != 0) /* the same for all: once */
-                chainrule_gather(settings, 16, taken, args[7] + start * steps[7], steps[7], 1, 12, 12 * steps[21], steps[21]);
-            panda_step_pose_tile(q, held, velocity, mobility, push, middle, narrowness, settings, q_next, rates, manipulability, error, null_motion);
-            chainrule_scatter(q_next, 16, taken, args[8] + start * steps[8], steps[8], 1, 7, 7 * steps[22], steps[22], streaming);
-            chainrule_scatter(rates, 16, taken, args[9] + start * steps[9], steps[9], 1, 7, 7 * steps[23], steps[23], streaming);
-            chainrule_scatter(manipulability, 16, taken, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(error, 16, taken, args[11] + start * steps[11], steps[11], 1, 6, 6 * steps[24], steps[24], streaming);
-            chainrule_scatter(null_motion, 16, taken, args[12] + start * steps[12], steps[12], 1, 7, 7 * steps[25], steps[25], streaming);
+                chainrule_gather(settings, 16, taken, args[5] + start * steps[5], steps[5], 1, 12, 12 * steps[18], steps[18]);
+            panda_step_pose_tile(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
+            chainrule_scatter(q_next, 16, taken, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[19], steps[19], streaming);
+            chainrule_scatter(rates, 16, taken, args[7] + start * steps[7], steps[7], 1, 7, 7 * steps[20], steps[20], streaming);
+            chainrule_scatter(manipulability, 16, taken, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(error, 16, taken, args[9] + start * steps[9], steps[9], 1, 6, 6 * steps[21], steps[21], streaming);
+            chainrule_scatter(null_motion, 16, taken, args[10] + start * steps[10], steps[10], 1, 7, 7 * steps[22], steps[22], streaming);
         }
     }
     chainrule_settle(streaming);

@@ -1,6 +1,6 @@
 /* panda_redundancy_pose.h: redundancy pose of panda.
- * Made from templates/kernel.h.j2; inputs bff57c8041c05956f990ea44cb913120ab0faaa18e79396d469204216a5c6739.
- * 2948 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs bac75b9639f25f543b9f617cd9ece3c9cfe15a12eee23cf70114e1dd54a6a654.
+ * 2639 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -25,20 +25,18 @@ extern const char panda_redundancy_pose_digest[];
  *   in   q[7]
  *   in   held[4][4] = (target_00, target_01, target_02, target_03, target_10, target_11, target_12, target_13, target_20, target_21, target_22, target_23, target_30, target_31, target_32, target_33)
  *   in   velocity[6] = (velocity1, velocity2, velocity3, velocity4, velocity5, velocity6)
- *   in   mobility[7] = (mobility1, mobility2, mobility3, mobility4, mobility5, mobility6, mobility7)
  *   in   push[7] = (push1, push2, push3, push4, push5, push6, push7)
- *   in   middle[7] = (middle1, middle2, middle3, middle4, middle5, middle6, middle7)
- *   in   narrowness[7] = (narrowness1, narrowness2, narrowness3, narrowness4, narrowness5, narrowness6, narrowness7)
+ *   in   joints[4][7] = (mobility1, mobility2, mobility3, mobility4, mobility5, mobility6, mobility7, stiffness1, stiffness2, stiffness3, stiffness4, stiffness5, stiffness6, stiffness7, middle1, middle2, middle3, middle4, middle5, middle6, middle7, narrowness1, narrowness2, narrowness3, narrowness4, narrowness5, narrowness6, narrowness7)
  *   in   settings[12] = (feedback_position, feedback_orientation, gain_H, gain_inverse_H, gain_inverse_root_H, gain_limits, damping_constant, damping_nakamura, inverse_threshold_H, damping_chiaverini, inverse_threshold_s, dt)
  *   out  q_next[7]
  *   out  rates[7]
  *   out  manipulability (one number)
  *   out  error[6]
  *   out  null_motion[7]
- *   2948 operations */
-void panda_step_pose(const double *q, const double *held, const double *velocity, const double *mobility, const double *push, const double *middle, const double *narrowness, const double *settings, double *q_next, double *rates, double *manipulability, double *error, double *null_motion);
+ *   2639 operations */
+void panda_step_pose(const double *q, const double *held, const double *velocity, const double *push, const double *joints, const double *settings, double *q_next, double *rates, double *manipulability, double *error, double *null_motion);
 void panda_step_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void panda_step_posef(const float *q, const float *held, const float *velocity, const float *mobility, const float *push, const float *middle, const float *narrowness, const float *settings, float *q_next, float *rates, float *manipulability, float *error, float *null_motion);
+void panda_step_posef(const float *q, const float *held, const float *velocity, const float *push, const float *joints, const float *settings, float *q_next, float *rates, float *manipulability, float *error, float *null_motion);
 void panda_step_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 #ifdef __cplusplus

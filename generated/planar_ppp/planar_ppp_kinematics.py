@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1bff9d4ddd81d87b8d82128ba4fb1e4ee944946f99c1f7b508df53c8d12fa88f.
+Made from templates/kernel.py.j2; inputs 4036c2a5b8d9eebd9fd529c32c710bf024f4a8a1000bf32ad2c9814ac3ac544e.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

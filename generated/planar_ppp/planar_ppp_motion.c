@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs b70e906b10c2dad3e3a8c1e5ead6c7722beb8ed47908722a3a616f6e5c898dff.
+ * Made from templates/kernel.c.j2; inputs 44730bee6429a966e4bdbbd4c256ab72a01326258afc82c0182547381772c4fa.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "b70e906b10c2dad3e3a8c1e5ead6c7722beb8ed47908722a3a616f6e5c898dff";
+const char planar_ppp_motion_digest[] = "44730bee6429a966e4bdbbd4c256ab72a01326258afc82c0182547381772c4fa";
 #endif
 
 #define LANES 64

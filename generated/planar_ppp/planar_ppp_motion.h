@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs b70e906b10c2dad3e3a8c1e5ead6c7722beb8ed47908722a3a616f6e5c898dff.
+ * Made from templates/kernel.h.j2; inputs 44730bee6429a966e4bdbbd4c256ab72a01326258afc82c0182547381772c4fa.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 4f525df9c2897f9e0bf8f551a6e6d90ab191f23070896c0fa0a476cf915086dd.
+ * Made from templates/kernel.c.j2; inputs ac64fe7524556462d4c187110e305d848442196f925285b668f647472804d55a.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "4f525df9c2897f9e0bf8f551a6e6d90ab191f23070896c0fa0a476cf915086dd";
+const char planar_ppp_speed_ratio_digest[] = "ac64fe7524556462d4c187110e305d848442196f925285b668f647472804d55a";
 #endif
 
 #define LANES 64

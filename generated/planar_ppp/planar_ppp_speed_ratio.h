@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 4f525df9c2897f9e0bf8f551a6e6d90ab191f23070896c0fa0a476cf915086dd.
+ * Made from templates/kernel.h.j2; inputs ac64fe7524556462d4c187110e305d848442196f925285b668f647472804d55a.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4f525df9c2897f9e0bf8f551a6e6d90ab191f23070896c0fa0a476cf915086dd.
+Made from templates/kernel.py.j2; inputs ac64fe7524556462d4c187110e305d848442196f925285b668f647472804d55a.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

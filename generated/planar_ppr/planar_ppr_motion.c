@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 5e9ae1d23ca2ca2d3e8daea36084f355039f133b010f698762ff4f73d9955950.
+ * Made from templates/kernel.c.j2; inputs bee0fe82d68d5afebd41db8057f1d10f4012c912ea271b0e576cb68ea94ecbfa.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "5e9ae1d23ca2ca2d3e8daea36084f355039f133b010f698762ff4f73d9955950";
+const char planar_ppr_motion_digest[] = "bee0fe82d68d5afebd41db8057f1d10f4012c912ea271b0e576cb68ea94ecbfa";
 #endif
 
 #define LANES 64

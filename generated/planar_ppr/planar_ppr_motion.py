@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5e9ae1d23ca2ca2d3e8daea36084f355039f133b010f698762ff4f73d9955950.
+Made from templates/kernel.py.j2; inputs bee0fe82d68d5afebd41db8057f1d10f4012c912ea271b0e576cb68ea94ecbfa.
 161 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

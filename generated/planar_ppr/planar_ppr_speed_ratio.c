@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 53536e5282ac518d09217592e9e20d1a7c68ae71b41c4362ad4c911164640de7.
+ * Made from templates/kernel.c.j2; inputs d0b86b318d4420a132d0c5b6d67429443766b5f7657ba992dc7c90684fe99229.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "53536e5282ac518d09217592e9e20d1a7c68ae71b41c4362ad4c911164640de7";
+const char planar_ppr_speed_ratio_digest[] = "d0b86b318d4420a132d0c5b6d67429443766b5f7657ba992dc7c90684fe99229";
 #endif
 
 #define LANES 64

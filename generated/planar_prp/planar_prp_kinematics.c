@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs 6bb61fb3278914b471c13d13ac3788a6abadce2cc335acd205f957d346a397dc.
+ * Made from templates/kernel.c.j2; inputs 8795f9808470993e62cd6999d37976836b3a612e0fb909988ec77abc0fa7a9ea.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "6bb61fb3278914b471c13d13ac3788a6abadce2cc335acd205f957d346a397dc";
+const char planar_prp_kinematics_digest[] = "8795f9808470993e62cd6999d37976836b3a612e0fb909988ec77abc0fa7a9ea";
 #endif
 
 #define LANES 64

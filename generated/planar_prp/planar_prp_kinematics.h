@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs 6bb61fb3278914b471c13d13ac3788a6abadce2cc335acd205f957d346a397dc.
+ * Made from templates/kernel.h.j2; inputs 8795f9808470993e62cd6999d37976836b3a612e0fb909988ec77abc0fa7a9ea.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

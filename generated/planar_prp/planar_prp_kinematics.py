@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6bb61fb3278914b471c13d13ac3788a6abadce2cc335acd205f957d346a397dc.
+Made from templates/kernel.py.j2; inputs 8795f9808470993e62cd6999d37976836b3a612e0fb909988ec77abc0fa7a9ea.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d.
+ * Made from templates/kernel.c.j2; inputs 0d469808596febe3917b300f7e1ec7252fd0b331b540d5a20f4857d0c3a939f9.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "d15514f5ce3c5e2bd0e5782724d45c0e5236dd27368fd58e9d0881ab21153c3d";
+const char planar_prp_motion_digest[] = "0d469808596febe3917b300f7e1ec7252fd0b331b540d5a20f4857d0c3a939f9";
 #endif
 
 #define LANES 64

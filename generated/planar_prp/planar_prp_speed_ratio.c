@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs 38b5d3693ff03d23a2db521fe3c3233e189f8ac76eddc8b07f9767e08e1a0ad7.
+ * Made from templates/kernel.c.j2; inputs 245e8dc6a345c2b226dbb0dcb0b297a46db16003738c1d49a9ad6923aaa586df.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "38b5d3693ff03d23a2db521fe3c3233e189f8ac76eddc8b07f9767e08e1a0ad7";
+const char planar_prp_speed_ratio_digest[] = "245e8dc6a345c2b226dbb0dcb0b297a46db16003738c1d49a9ad6923aaa586df";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs 38b5d3693ff03d23a2db521fe3c3233e189f8ac76eddc8b07f9767e08e1a0ad7.
+ * Made from templates/kernel.h.j2; inputs 245e8dc6a345c2b226dbb0dcb0b297a46db16003738c1d49a9ad6923aaa586df.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

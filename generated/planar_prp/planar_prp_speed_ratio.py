@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 38b5d3693ff03d23a2db521fe3c3233e189f8ac76eddc8b07f9767e08e1a0ad7.
+Made from templates/kernel.py.j2; inputs 245e8dc6a345c2b226dbb0dcb0b297a46db16003738c1d49a9ad6923aaa586df.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs 74b4eb40d9ab8635922edc596987fda5c3facea0a884f28c68cef8a68aa24bb6.
+ * Made from templates/kernel.c.j2; inputs 69c1d86d678a61f057fbe67901abe0a1f196b02e5bad79297b04b5c00493a5bb.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "74b4eb40d9ab8635922edc596987fda5c3facea0a884f28c68cef8a68aa24bb6";
+const char planar_prr_kinematics_digest[] = "69c1d86d678a61f057fbe67901abe0a1f196b02e5bad79297b04b5c00493a5bb";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs 68d89cd15e1acfffbb793eca821426affd15b9696b79827a466e349e829ee04d.
+ * Made from templates/kernel.h.j2; inputs a4f01e044da46c30f37ecebf4158531bf214d5235e8b0e0fddd31733fec4fe77.
  * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

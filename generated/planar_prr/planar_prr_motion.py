@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 68d89cd15e1acfffbb793eca821426affd15b9696b79827a466e349e829ee04d.
+Made from templates/kernel.py.j2; inputs a4f01e044da46c30f37ecebf4158531bf214d5235e8b0e0fddd31733fec4fe77.
 203 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3994e5adb53b2b7fc95317c4055bab06cb96e9ae78f70b948c9a1561863173a5.
+Made from templates/kernel.py.j2; inputs 8376cd42282ead92973c6851449871a342aafa42ba9def934c6d5a66dfbde45d.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

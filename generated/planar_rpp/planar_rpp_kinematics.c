@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 503ac6d9ad9cc71c017227e6fa883cf269ab9b4986207571831e095b1458d327.
+ * Made from templates/kernel.c.j2; inputs f050917e9efbd785fee56ba3857d77b36a1dc18606d2ca2e46d1eeb1483e0bbc.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "503ac6d9ad9cc71c017227e6fa883cf269ab9b4986207571831e095b1458d327";
+const char planar_rpp_kinematics_digest[] = "f050917e9efbd785fee56ba3857d77b36a1dc18606d2ca2e46d1eeb1483e0bbc";
 #endif
 
 #define LANES 64

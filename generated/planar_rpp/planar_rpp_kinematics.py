@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 503ac6d9ad9cc71c017227e6fa883cf269ab9b4986207571831e095b1458d327.
+Made from templates/kernel.py.j2; inputs f050917e9efbd785fee56ba3857d77b36a1dc18606d2ca2e46d1eeb1483e0bbc.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs b962174264c028043c6a1c9c7a13d1eeb2bf9222ecf50098d6f6ebf6ad46ce61.
+ * Made from templates/kernel.c.j2; inputs 39dfbff3b6103e2b5751592c4edfe7c62d05a615c128301dcad2fcdcd15df9ed.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "b962174264c028043c6a1c9c7a13d1eeb2bf9222ecf50098d6f6ebf6ad46ce61";
+const char planar_rpp_motion_digest[] = "39dfbff3b6103e2b5751592c4edfe7c62d05a615c128301dcad2fcdcd15df9ed";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs b962174264c028043c6a1c9c7a13d1eeb2bf9222ecf50098d6f6ebf6ad46ce61.
+ * Made from templates/kernel.h.j2; inputs 39dfbff3b6103e2b5751592c4edfe7c62d05a615c128301dcad2fcdcd15df9ed.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 3b171da9208b8f5a724db702c3dd5df007b3dd9d3cd1b94ad2e55b1b93a04a88.
+ * Made from templates/kernel.c.j2; inputs 6fd731e3335a4bffbf128dab57a732fbe8f9cd8480dd4286b8639a1b867ea2cd.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "3b171da9208b8f5a724db702c3dd5df007b3dd9d3cd1b94ad2e55b1b93a04a88";
+const char planar_rpp_speed_ratio_digest[] = "6fd731e3335a4bffbf128dab57a732fbe8f9cd8480dd4286b8639a1b867ea2cd";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b02980e6aa0482bdb6b3b01000d89e64b28b912b6866e7344385747ede227a51.
+Made from templates/kernel.py.j2; inputs 4af69dbeba8e0700f7569bb5b218cd96742dab72932f67274909f8926fbabf81.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

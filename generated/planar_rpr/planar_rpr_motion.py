@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f9b70ed5d880dc4492b375e5dcf314ce40a94def537e0176fecd2da1b1d908f0.
+Made from templates/kernel.py.j2; inputs ab35bec96a864ac8dbfdab7b2318d0dac2002d6a5e205fd90b19d6e0360c03e0.
 274 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 67b3b5d6c3da16886670826e5e1089e660f66ea89881a492dc08233bc0b04bc3.
+ * Made from templates/kernel.c.j2; inputs e7ee6b71504b54702200ef9b2d65c425800bd3b87c26f08008961f36a068a370.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "67b3b5d6c3da16886670826e5e1089e660f66ea89881a492dc08233bc0b04bc3";
+const char planar_rpr_speed_ratio_digest[] = "e7ee6b71504b54702200ef9b2d65c425800bd3b87c26f08008961f36a068a370";
 #endif
 
 #define LANES 64

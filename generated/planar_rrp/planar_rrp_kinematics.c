@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 080691bef8cea44c143beaa14295f1c4957f193d1ecfd660fd05f1cca56afa18.
+ * Made from templates/kernel.c.j2; inputs 02bcb7176dd97859b5ca26e40147e02b4c164be20c16fae6c4729e2c1f1b3eb8.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "080691bef8cea44c143beaa14295f1c4957f193d1ecfd660fd05f1cca56afa18";
+const char planar_rrp_kinematics_digest[] = "02bcb7176dd97859b5ca26e40147e02b4c164be20c16fae6c4729e2c1f1b3eb8";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 080691bef8cea44c143beaa14295f1c4957f193d1ecfd660fd05f1cca56afa18.
+Made from templates/kernel.py.j2; inputs 02bcb7176dd97859b5ca26e40147e02b4c164be20c16fae6c4729e2c1f1b3eb8.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

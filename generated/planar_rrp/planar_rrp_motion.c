@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590.
+ * Made from templates/kernel.c.j2; inputs b3d33bcbeca915fee483e7c84644379243bdf347cfcf96a22e0441dc0f932f41.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590";
+const char planar_rrp_motion_digest[] = "b3d33bcbeca915fee483e7c84644379243bdf347cfcf96a22e0441dc0f932f41";
 #endif
 
 #define LANES 64

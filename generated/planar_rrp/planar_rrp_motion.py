@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2d1a52be3ab3b9ea776bb9d487383bc62a6cdc66bce321ed106fe484df32b590.
+Made from templates/kernel.py.j2; inputs b3d33bcbeca915fee483e7c84644379243bdf347cfcf96a22e0441dc0f932f41.
 272 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 447096f04abeea1a353333ea59773834dd2be5f493721b66b88209a839e0e62c.
+ * Made from templates/kernel.c.j2; inputs a02198c1a6d4bad87002174ebd558fd5d5529c2902ed8ee903eaa53fe64354ec.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "447096f04abeea1a353333ea59773834dd2be5f493721b66b88209a839e0e62c";
+const char planar_rrp_speed_ratio_digest[] = "a02198c1a6d4bad87002174ebd558fd5d5529c2902ed8ee903eaa53fe64354ec";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 447096f04abeea1a353333ea59773834dd2be5f493721b66b88209a839e0e62c.
+Made from templates/kernel.py.j2; inputs a02198c1a6d4bad87002174ebd558fd5d5529c2902ed8ee903eaa53fe64354ec.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

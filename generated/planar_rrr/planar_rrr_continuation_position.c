@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.c: continuation position of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89.
+ * Made from templates/kernel.c.j2; inputs 10d75e6c9ca5556a0f10b3febc3530e7c4bb944346fb7ddadc1556cad2c48f9c.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -12,7 +12,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_position_digest[] = "02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89";
+const char planar_rrr_continuation_position_digest[] = "10d75e6c9ca5556a0f10b3febc3530e7c4bb944346fb7ddadc1556cad2c48f9c";
 #endif
 
 #define LANES 64

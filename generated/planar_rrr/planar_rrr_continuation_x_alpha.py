@@ -1,6 +1,6 @@
 """continuation x alpha of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 02cf60f42e5aada70b732d2c0ca5dce7bbe401adbf6f17c5049d7710179bfb89.
+Made from templates/kernel.py.j2; inputs 10d75e6c9ca5556a0f10b3febc3530e7c4bb944346fb7ddadc1556cad2c48f9c.
 102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

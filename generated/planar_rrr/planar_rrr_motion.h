@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 67cfa5c228421057723c019421cfa62ed36b9962784a9759f24169050a8d7b90.
+ * Made from templates/kernel.h.j2; inputs 9f51bc4968bb44d5dfba8587714e00abbae8402fd35755c0dd91b6ba59a89f77.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

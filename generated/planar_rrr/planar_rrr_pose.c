@@ -1,5 +1,5 @@
 /* planar_rrr_pose.c: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282.
+ * Made from templates/kernel.c.j2; inputs 72bd97acd29d0b2824413ee8f8deb4a30e9fea9635d222a86119cda2798f234b.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_pose_digest[] = "3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282";
+const char planar_rrr_pose_digest[] = "72bd97acd29d0b2824413ee8f8deb4a30e9fea9635d222a86119cda2798f234b";
 #endif
 
 #define LANES 64

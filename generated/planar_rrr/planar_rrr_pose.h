@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282.
+ * Made from templates/kernel.h.j2; inputs 72bd97acd29d0b2824413ee8f8deb4a30e9fea9635d222a86119cda2798f234b.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,7 +1,7 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282.
-228 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 72bd97acd29d0b2824413ee8f8deb4a30e9fea9635d222a86119cda2798f234b.
+204 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -174,7 +174,7 @@ def null_vector_position(q, parameters):
 
 
 def null_projector_position(q, parameters):
-    """projector I - J^+ J onto the null space of the position Jacobian: 106 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 82 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -203,55 +203,43 @@ def null_projector_position(q, parameters):
     t4 = np.sqrt((t1 * t1 + (t3 + t3)))
     t5 = np.where(t4 != 0.0, 1, 0.0)
     t6 = t5 / (t4 + (1 - t5))
-    t7 = t1 * t6
-    t8 = t2 * t6
-    t9 = t8 * t8
-    t10 = np.sqrt((t7 * t7 + (t9 + t9)))
-    t11 = np.where(t10 != 0.0, 1, 0.0)
-    t12 = t11 / (t10 + (1 - t11))
-    t13 = t8 * t12
-    t14 = t13 * t13
-    t15 = 1 - t14
-    t16 = l3 * (c2 * c3 - s3 * s2)
-    t17 = l1 + c2 * l2 + t16
-    t18 = t17 - l1
-    t19 = t7 * t12
-    t20 = t13 * t18 + t16 * t19 + t13 * t17
-    t21 = t13 * t20
-    t22 = t17 - t21
-    t23 = t18 - t21
-    t24 = t16 - t19 * t20
-    t25 = np.sqrt((t22 * t22 + t23 * t23 + t24 * t24))
-    t26 = np.where(t25 != 0.0, 1, 0.0)
-    t27 = t26 / (t25 + (1 - t26))
-    t28 = t22 * t27
-    t29 = t23 * t27
-    t30 = t24 * t27
-    t31 = t13 * t28 + t13 * t29 + t19 * t30
-    t32 = t13 * t31
-    t33 = t28 - t32
-    t34 = t29 - t32
-    t35 = t30 - t19 * t31
-    t36 = np.sqrt((t33 * t33 + t34 * t34 + t35 * t35))
-    t37 = np.where(t36 != 0.0, 1, 0.0)
-    t38 = t37 / (t36 + (1 - t37))
-    t39 = t33 * t38
-    t40 = t34 * t38
-    t41 = -(t14 + t39 * t40)
-    t42 = t13 * t19
-    t43 = t35 * t38
-    t44 = -(t42 + t39 * t43)
-    t45 = -(t42 + t40 * t43)
+    t7 = t2 * t6
+    t8 = t7 * t7
+    t9 = 1 - t8
+    t10 = l3 * (c2 * c3 - s3 * s2)
+    t11 = l1 + c2 * l2 + t10
+    t12 = t11 - l1
+    t13 = t1 * t6
+    t14 = t7 * t12 + t10 * t13 + t7 * t11
+    t15 = t7 * t14
+    t16 = t11 - t15
+    t17 = t12 - t15
+    t18 = t10 - t13 * t14
+    t19 = t7 * t16 + t7 * t17 + t13 * t18
+    t20 = t7 * t19
+    t21 = t16 - t20
+    t22 = t17 - t20
+    t23 = t18 - t13 * t19
+    t24 = np.sqrt((t21 * t21 + t22 * t22 + t23 * t23))
+    t25 = np.where(t24 != 0.0, 1, 0.0)
+    t26 = t25 / (t24 + (1 - t25))
+    t27 = t21 * t26
+    t28 = t22 * t26
+    t29 = -(t8 + t27 * t28)
+    t30 = t7 * t13
+    t31 = t23 * t26
+    t32 = -(t30 + t27 * t31)
+    t33 = -(t30 + t28 * t31)
 
     # results
     null_projector = np.empty((*_leading, 9), _real)
-    null_projector[..., 0] = t15 - t39 * t39
-    null_projector[..., 1] = t41
-    null_projector[..., 2] = t44
-    null_projector[..., 3] = t41
-    null_projector[..., 4] = t15 - t40 * t40
-    null_projector[..., 5] = t45
-    null_projector[..., 6] = t44
-    null_projector[..., 7] = t45
-    null_projector[..., 8] = 1 - t19 * t19 - t43 * t43
+    null_projector[..., 0] = t9 - t27 * t27
+    null_projector[..., 1] = t29
+    null_projector[..., 2] = t32
+    null_projector[..., 3] = t29
+    null_projector[..., 4] = t9 - t28 * t28
+    null_projector[..., 5] = t33
+    null_projector[..., 6] = t32
+    null_projector[..., 7] = t33
+    null_projector[..., 8] = 1 - t13 * t13 - t31 * t31
     return null_projector.reshape(_leading + (3, 3))

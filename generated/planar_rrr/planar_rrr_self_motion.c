@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 57e94a81e0a0240272fa5d6aaec3c6534392751f21d231d4185c26c9a40af3fc.
+ * Made from templates/kernel.c.j2; inputs 63f853bf1fa4ac52718a2ef5c984537669e00f71391922e822838f348a6e35e4.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "57e94a81e0a0240272fa5d6aaec3c6534392751f21d231d4185c26c9a40af3fc";
+const char planar_rrr_self_motion_digest[] = "63f853bf1fa4ac52718a2ef5c984537669e00f71391922e822838f348a6e35e4";
 #endif
 
 #define LANES 64

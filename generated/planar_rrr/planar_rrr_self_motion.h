@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 57e94a81e0a0240272fa5d6aaec3c6534392751f21d231d4185c26c9a40af3fc.
+ * Made from templates/kernel.h.j2; inputs 63f853bf1fa4ac52718a2ef5c984537669e00f71391922e822838f348a6e35e4.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs d98bff26c4a4a6763a59e326017391b2bc97a929a8dfc0a4d110d600a93fec16.
+ * Made from templates/kernel.c.j2; inputs bd87b2de428cd49ba174eb4f483cf6eae43ecb0c91c713c40506416a32adc946.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "d98bff26c4a4a6763a59e326017391b2bc97a929a8dfc0a4d110d600a93fec16";
+const char planar_rrr_speed_ratio_digest[] = "bd87b2de428cd49ba174eb4f483cf6eae43ecb0c91c713c40506416a32adc946";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.h: speed ratio of planar_rrr.
- * Made from templates/kernel.h.j2; inputs d98bff26c4a4a6763a59e326017391b2bc97a929a8dfc0a4d110d600a93fec16.
+ * Made from templates/kernel.h.j2; inputs bd87b2de428cd49ba174eb4f483cf6eae43ecb0c91c713c40506416a32adc946.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

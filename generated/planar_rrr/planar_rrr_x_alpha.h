@@ -1,6 +1,6 @@
 /* planar_rrr_x_alpha.h: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282.
- * 282 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 72bd97acd29d0b2824413ee8f8deb4a30e9fea9635d222a86119cda2798f234b.
+ * 256 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -69,7 +69,7 @@ void planar_rrr_null_vector_x_alpha_batchf(ptrdiff_t count, char *const *args, c
  *   in   q[3]
  *   in   parameters[3] = (l1, l2, l3)
  *   out  null_projector[3][3]
- *   116 operations */
+ *   90 operations */
 void planar_rrr_null_projector_x_alpha(const double *q, const double *parameters, double *null_projector);
 void planar_rrr_null_projector_x_alpha_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void planar_rrr_null_projector_x_alphaf(const float *q, const float *parameters, float *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3c9010a8db7896b00e71a72fc397dc58c2c44d62728c8292297495c3bbe06282.
-282 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 72bd97acd29d0b2824413ee8f8deb4a30e9fea9635d222a86119cda2798f234b.
+256 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -210,7 +210,7 @@ def null_vector_x_alpha(q, parameters):
 
 
 def null_projector_x_alpha(q, parameters):
-    """projector I - J^+ J onto the null space of the x_alpha Jacobian: 116 operations.
+    """projector I - J^+ J onto the null space of the x_alpha Jacobian: 90 operations.
 
     in   q[3]
     in   parameters[3] = (l1, l2, l3)
@@ -247,45 +247,33 @@ def null_projector_x_alpha(q, parameters):
     t9 = t4 * t8
     t10 = t5 * t8
     t11 = t3 * t8
-    t12 = np.sqrt((t9 * t9 + t10 * t10 + t11 * t11))
-    t13 = np.where(t12 != 0.0, 1, 0.0)
-    t14 = t13 / (t12 + (1 - t13))
-    t15 = t9 * t14
-    t16 = t10 * t14
-    t17 = t11 * t14
-    t18 = t15 + t16 + t17
-    t19 = 1 - t15 * t18
-    t20 = 1 - t16 * t18
-    t21 = 1 - t17 * t18
-    t22 = np.sqrt((t19 * t19 + t20 * t20 + t21 * t21))
-    t23 = np.where(t22 != 0.0, 1, 0.0)
-    t24 = t23 / (t22 + (1 - t23))
-    t25 = t19 * t24
-    t26 = t20 * t24
-    t27 = t21 * t24
-    t28 = t15 * t25 + t16 * t26 + t17 * t27
-    t29 = t25 - t15 * t28
-    t30 = t26 - t16 * t28
-    t31 = t27 - t17 * t28
-    t32 = np.sqrt((t29 * t29 + t30 * t30 + t31 * t31))
-    t33 = np.where(t32 != 0.0, 1, 0.0)
-    t34 = t33 / (t32 + (1 - t33))
-    t35 = t29 * t34
-    t36 = t30 * t34
-    t37 = -(t15 * t16 + t35 * t36)
-    t38 = t31 * t34
-    t39 = -(t15 * t17 + t35 * t38)
-    t40 = -(t16 * t17 + t36 * t38)
+    t12 = t9 + t10 + t11
+    t13 = 1 - t9 * t12
+    t14 = 1 - t10 * t12
+    t15 = 1 - t11 * t12
+    t16 = t9 * t13 + t10 * t14 + t11 * t15
+    t17 = t13 - t9 * t16
+    t18 = t14 - t10 * t16
+    t19 = t15 - t11 * t16
+    t20 = np.sqrt((t17 * t17 + t18 * t18 + t19 * t19))
+    t21 = np.where(t20 != 0.0, 1, 0.0)
+    t22 = t21 / (t20 + (1 - t21))
+    t23 = t17 * t22
+    t24 = t18 * t22
+    t25 = -(t9 * t10 + t23 * t24)
+    t26 = t19 * t22
+    t27 = -(t9 * t11 + t23 * t26)
+    t28 = -(t10 * t11 + t24 * t26)
 
     # results
     null_projector = np.empty((*_leading, 9), _real)
-    null_projector[..., 0] = 1 - t15 * t15 - t35 * t35
-    null_projector[..., 1] = t37
-    null_projector[..., 2] = t39
-    null_projector[..., 3] = t37
-    null_projector[..., 4] = 1 - t16 * t16 - t36 * t36
-    null_projector[..., 5] = t40
-    null_projector[..., 6] = t39
-    null_projector[..., 7] = t40
-    null_projector[..., 8] = 1 - t17 * t17 - t38 * t38
+    null_projector[..., 0] = 1 - t9 * t9 - t23 * t23
+    null_projector[..., 1] = t25
+    null_projector[..., 2] = t27
+    null_projector[..., 3] = t25
+    null_projector[..., 4] = 1 - t10 * t10 - t24 * t24
+    null_projector[..., 5] = t28
+    null_projector[..., 6] = t27
+    null_projector[..., 7] = t28
+    null_projector[..., 8] = 1 - t11 * t11 - t26 * t26
     return null_projector.reshape(_leading + (3, 3))

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 26d09cdecd83b9c763afb9611b3926a5dae220a9d4e073ba15e711d95f092c6b.
+ * Made from templates/kernel.c.j2; inputs 28ec70753d4fdbb20b9b0f2d6f41f425e8332351695aafa91dbb482b4dcabbdc.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "26d09cdecd83b9c763afb9611b3926a5dae220a9d4e073ba15e711d95f092c6b";
+const char puma560_kinematics_digest[] = "28ec70753d4fdbb20b9b0f2d6f41f425e8332351695aafa91dbb482b4dcabbdc";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 26d09cdecd83b9c763afb9611b3926a5dae220a9d4e073ba15e711d95f092c6b.
+ * Made from templates/kernel.h.j2; inputs 28ec70753d4fdbb20b9b0f2d6f41f425e8332351695aafa91dbb482b4dcabbdc.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 /* puma560_position.c: manipulability (position) of puma560.
- * Made from templates/kernel.c.j2; inputs c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e.
- * 337 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 71131bd564d475568f0a04d98a462223f9eaa45ea10028823af4f4907bac5c22.
+ * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "puma560_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_position_digest[] = "c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e";
+const char puma560_position_digest[] = "71131bd564d475568f0a04d98a462223f9eaa45ea10028823af4f4907bac5c22";
 #endif
 
 #define LANES 64

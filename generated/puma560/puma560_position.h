@@ -1,6 +1,6 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e.
- * 337 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 71131bd564d475568f0a04d98a462223f9eaa45ea10028823af4f4907bac5c22.
+ * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void puma560_minors_position_batchf(ptrdiff_t count, char *const *args, const pt
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   190 operations */
+ *   151 operations */
 void puma560_null_projector_position(const double *q, double *null_projector);
 void puma560_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void puma560_null_projector_positionf(const float *q, float *null_projector);

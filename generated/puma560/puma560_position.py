@@ -1,7 +1,7 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c25d94c987c5b8130fe15bacc8adcd45acbae697ec95e76e4d010a89545c3d9e.
-337 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 71131bd564d475568f0a04d98a462223f9eaa45ea10028823af4f4907bac5c22.
+298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -173,7 +173,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 190 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 151 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -200,86 +200,68 @@ def null_projector_position(q):
     t7 = np.where(t6 != 0.0, 1, 0.0)
     t8 = t7 / (t6 + (1 - t7))
     t9 = 0.15005 * t8
-    t10 = t4 * t8
-    t11 = t5 * t8
-    t12 = np.sqrt((t9 * t9 + t10 * t10 + t11 * t11))
-    t13 = np.where(t12 != 0.0, 1, 0.0)
-    t14 = t13 / (t12 + (1 - t13))
-    t15 = t9 * t14
-    t16 = 0.4318 * c2
-    t17 = t16 + 0.0203 * t3 - 0.4318 * t2
-    t18 = t15 * t17
-    t19 = t17 - t15 * t18
-    t20 = t10 * t14
-    t21 = t18 * t20
-    t22 = t11 * t14
-    t23 = t18 * t22
-    t24 = np.sqrt((t19 * t19 + t21 * t21 + t23 * t23))
-    t25 = np.where(t24 != 0.0, 1, 0.0)
-    t26 = t25 / (t24 + (1 - t25))
-    t27 = t19 * t26
-    t28 = t21 * t26
-    t29 = t23 * t26
-    t30 = t15 * t27 - t20 * t28 - t22 * t29
-    t31 = t27 - t15 * t30
-    t32 = t28 + t20 * t30
-    t33 = t29 + t22 * t30
-    t34 = np.sqrt((t31 * t31 + t32 * t32 + t33 * t33))
-    t35 = np.where(t34 != 0.0, 1, 0.0)
-    t36 = t35 / (t34 + (1 - t35))
-    t37 = t31 * t36
-    t38 = t17 - t16
-    t39 = t17 * t20 + t22 * t38
-    t40 = t15 * t39
-    t41 = t17 - t20 * t39
-    t42 = t32 * t36
-    t43 = t38 - t22 * t39
-    t44 = t33 * t36
-    t45 = t37 * t40 + t41 * t42 + t43 * t44
-    t46 = t40 - t37 * t45
-    t47 = t41 - t42 * t45
-    t48 = t43 - t44 * t45
-    t49 = np.sqrt((t46 * t46 + t47 * t47 + t48 * t48))
-    t50 = np.where(t49 != 0.0, 1, 0.0)
-    t51 = t50 / (t49 + (1 - t50))
-    t52 = t46 * t51
-    t53 = t47 * t51
-    t54 = t48 * t51
-    t55 = t15 * t52 - t20 * t53 - t22 * t54
-    t56 = t52 - t15 * t55
-    t57 = t53 + t20 * t55
-    t58 = t54 + t22 * t55
-    t59 = t37 * t56 + t42 * t57 + t44 * t58
-    t60 = t56 - t37 * t59
-    t61 = t57 - t42 * t59
-    t62 = t58 - t44 * t59
-    t63 = np.sqrt((t60 * t60 + t61 * t61 + t62 * t62))
-    t64 = np.where(t63 != 0.0, 1, 0.0)
-    t65 = t64 / (t63 + (1 - t64))
-    t66 = t60 * t65
-    t67 = t61 * t65
-    t68 = t15 * t20 - t37 * t42 - t66 * t67
-    t69 = t62 * t65
-    t70 = t15 * t22 - t37 * t44 - t66 * t69
-    t71 = -(t20 * t22 + t42 * t44 + t67 * t69)
+    t10 = 0.4318 * c2
+    t11 = t10 + 0.0203 * t3 - 0.4318 * t2
+    t12 = t9 * t11
+    t13 = t11 - t9 * t12
+    t14 = t4 * t8
+    t15 = t12 * t14
+    t16 = t5 * t8
+    t17 = t12 * t16
+    t18 = t9 * t13 - t14 * t15 - t16 * t17
+    t19 = t13 - t9 * t18
+    t20 = t15 + t14 * t18
+    t21 = t17 + t16 * t18
+    t22 = np.sqrt((t19 * t19 + t20 * t20 + t21 * t21))
+    t23 = np.where(t22 != 0.0, 1, 0.0)
+    t24 = t23 / (t22 + (1 - t23))
+    t25 = t19 * t24
+    t26 = t11 - t10
+    t27 = t11 * t14 + t16 * t26
+    t28 = t9 * t27
+    t29 = t11 - t14 * t27
+    t30 = t20 * t24
+    t31 = t26 - t16 * t27
+    t32 = t21 * t24
+    t33 = t25 * t28 + t29 * t30 + t31 * t32
+    t34 = t28 - t25 * t33
+    t35 = t29 - t30 * t33
+    t36 = t31 - t32 * t33
+    t37 = t9 * t34 - t14 * t35 - t16 * t36
+    t38 = t34 - t9 * t37
+    t39 = t35 + t14 * t37
+    t40 = t36 + t16 * t37
+    t41 = t25 * t38 + t30 * t39 + t32 * t40
+    t42 = t38 - t25 * t41
+    t43 = t39 - t30 * t41
+    t44 = t40 - t32 * t41
+    t45 = np.sqrt((t42 * t42 + t43 * t43 + t44 * t44))
+    t46 = np.where(t45 != 0.0, 1, 0.0)
+    t47 = t46 / (t45 + (1 - t46))
+    t48 = t42 * t47
+    t49 = t43 * t47
+    t50 = t9 * t14 - t25 * t30 - t48 * t49
+    t51 = t44 * t47
+    t52 = t9 * t16 - t25 * t32 - t48 * t51
+    t53 = -(t14 * t16 + t30 * t32 + t49 * t51)
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = 1 - t15 * t15 - t37 * t37 - t66 * t66
-    null_projector[..., 1] = t68
-    null_projector[..., 2] = t70
+    null_projector[..., 0] = 1 - t9 * t9 - t25 * t25 - t48 * t48
+    null_projector[..., 1] = t50
+    null_projector[..., 2] = t52
     null_projector[..., 3] = 0.0
     null_projector[..., 4] = 0.0
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t68
-    null_projector[..., 7] = 1 - t20 * t20 - t42 * t42 - t67 * t67
-    null_projector[..., 8] = t71
+    null_projector[..., 6] = t50
+    null_projector[..., 7] = 1 - t14 * t14 - t30 * t30 - t49 * t49
+    null_projector[..., 8] = t53
     null_projector[..., 9] = 0.0
     null_projector[..., 10] = 0.0
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t70
-    null_projector[..., 13] = t71
-    null_projector[..., 14] = 1 - t22 * t22 - t44 * t44 - t69 * t69
+    null_projector[..., 12] = t52
+    null_projector[..., 13] = t53
+    null_projector[..., 14] = 1 - t16 * t16 - t32 * t32 - t51 * t51
     null_projector[..., 15] = 0.0
     null_projector[..., 16] = 0.0
     null_projector[..., 17] = 0.0

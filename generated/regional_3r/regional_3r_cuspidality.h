@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs 5eb6ffa6f8ff8acc70fc0968c12ce5a588099fb078af81c9f853a41c415a1c33.
+ * Made from templates/kernel.h.j2; inputs 49044b8154696eda01797bf08723673f65743702c70651e285cf65281866d63e.
  * 5456 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs f94f3e4ada1df930da12fda400319aa2fb18f9b74d0e652396fa260ac045ad72.
+ * Made from templates/kernel.c.j2; inputs 4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "f94f3e4ada1df930da12fda400319aa2fb18f9b74d0e652396fa260ac045ad72";
+const char sanchez_8r_dynamics_digest[] = "4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab";
 #endif
 
 #define LANES 32

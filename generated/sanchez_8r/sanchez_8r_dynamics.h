@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.h: dynamics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs f94f3e4ada1df930da12fda400319aa2fb18f9b74d0e652396fa260ac045ad72.
+ * Made from templates/kernel.h.j2; inputs 4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """dynamics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f94f3e4ada1df930da12fda400319aa2fb18f9b74d0e652396fa260ac045ad72.
+Made from templates/kernel.py.j2; inputs 4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab.
 982 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

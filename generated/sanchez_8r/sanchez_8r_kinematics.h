@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs cd9ed1ca2b6956639e8d3b47b2a2cbb9d51aee84ab46edc6beafbe2963b30cee.
+ * Made from templates/kernel.h.j2; inputs 6f4e980391f6982eb6a1bff10e076f5067a27a48d2863d6f20fcf25f5a3b84d5.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

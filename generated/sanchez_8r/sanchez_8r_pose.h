@@ -1,6 +1,6 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22.
- * 3073 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 1418c17614a5a7e30cfe56ea6a3149c0f9082dfb1173c4ed4d5f48bb8806010f.
+ * 2947 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void sanchez_8r_minors_pose_batchf(ptrdiff_t count, char *const *args, const ptr
 /* projector I - J^+ J onto the null space of the pose Jacobian.
  *   in   q[8]
  *   out  null_projector[8][8]
- *   1034 operations */
+ *   908 operations */
 void sanchez_8r_null_projector_pose(const double *q, double *null_projector);
 void sanchez_8r_null_projector_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void sanchez_8r_null_projector_posef(const float *q, float *null_projector);

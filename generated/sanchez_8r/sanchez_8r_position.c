@@ -1,6 +1,6 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22.
- * 1962 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 1418c17614a5a7e30cfe56ea6a3149c0f9082dfb1173c4ed4d5f48bb8806010f.
+ * 1893 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_position.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "6b66493fe79e415ae7decfdf6ace3162e35e3d656431e9da8c251baf04453d22";
+const char sanchez_8r_position_digest[] = "1418c17614a5a7e30cfe56ea6a3149c0f9082dfb1173c4ed4d5f48bb8806010f";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 1c623602ab4fbb054d191fd9166c856556c33c96393d19b67e84d1de67b57230.
- * 3895 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 735840aa7435fa93d6e6d8be91176285c9b668c14bf128295b51900d96acd6ff.
+ * 3542 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_redundancy_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "1c623602ab4fbb054d191fd9166c856556c33c96393d19b67e84d1de67b57230";
+const char sanchez_8r_redundancy_pose_digest[] = "735840aa7435fa93d6e6d8be91176285c9b668c14bf128295b51900d96acd6ff";
 #endif
 
 #define LANES 8
@@ -24,9 +24,9 @@ const char sanchez_8r_redundancy_pose_digest[] = "1c623602ab4fbb054d191fd9166c85
 #undef TERMS
 #undef LANES
 
-void CHAINRULE_NAME(sanchez_8r_step_pose)(const real *q, const real *held, const real *velocity, const real *mobility, const real *push, const real *middle, const real *narrowness, const real *settings, real *q_next, real *rates, real *manipulability, real *error, real *null_motion)
+void CHAINRULE_NAME(sanchez_8r_step_pose)(const real *q, const real *held, const real *velocity, const real *push, const real *joints, const real *settings, real *q_next, real *rates, real *manipulability, real *error, real *null_motion)
 {
-    sanchez_8r_step_pose_one(q, held, velocity, mobility, push, middle, narrowness, settings, q_next, rates, manipulability, error, null_motion);
+    sanchez_8r_step_pose_one(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
 }
 
 void CHAINRULE_NAME(sanchez_8r_step_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
@@ -34,10 +34,8 @@ void CHAINRULE_NAME(sanchez_8r_step_pose_batch)(ptrdiff_t count, char *const *ar
     real q[8 * 8];
     real held[16 * 8];
     real velocity[6 * 8];
-    real mobility[8 * 8];
     real push[8 * 8];
-    real middle[8 * 8];
-    real narrowness[8 * 8];
+    real joints[32 * 8];
     real settings[12 * 8];
     real q_next[8 * 8];
     real rates[8 * 8];
@@ -49,42 +47,36 @@ void CHAINRULE_NAME(sanchez_8r_step_pose_batch)(ptrdiff_t count, char *const *ar
     for (ptrdiff_t start = 0; start < count; start += taken) {
         taken = chainrule_take(count - start, 8);
         if (taken == 1) {
-            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[13], steps[13]);
-            chainrule_gather(held, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[14], steps[15]);
-            chainrule_gather(velocity, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[16], steps[16]);
-            chainrule_gather(mobility, 1, 1, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[17], steps[17]);
-            chainrule_gather(push, 1, 1, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[18], steps[18]);
-            chainrule_gather(middle, 1, 1, args[5] + start * steps[5], steps[5], 1, 8, 8 * steps[19], steps[19]);
-            chainrule_gather(narrowness, 1, 1, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[20], steps[20]);
-            chainrule_gather(settings, 1, 1, args[7] + start * steps[7], steps[7], 1, 12, 12 * steps[21], steps[21]);
-            sanchez_8r_step_pose_one(q, held, velocity, mobility, push, middle, narrowness, settings, q_next, rates, manipulability, error, null_motion);
-            chainrule_scatter(q_next, 1, 1, args[8] + start * steps[8], steps[8], 1, 8, 8 * steps[22], steps[22], 0);
-            chainrule_scatter(rates, 1, 1, args[9] + start * steps[9], steps[9], 1, 8, 8 * steps[23], steps[23], 0);
-            chainrule_scatter(manipulability, 1, 1, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
-            chainrule_scatter(error, 1, 1, args[11] + start * steps[11], steps[11], 1, 6, 6 * steps[24], steps[24], 0);
-            chainrule_scatter(null_motion, 1, 1, args[12] + start * steps[12], steps[12], 1, 8, 8 * steps[25], steps[25], 0);
+            chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[11], steps[11]);
+            chainrule_gather(held, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[12], steps[13]);
+            chainrule_gather(velocity, 1, 1, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[14], steps[14]);
+            chainrule_gather(push, 1, 1, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[15], steps[15]);
+            chainrule_gather(joints, 1, 1, args[4] + start * steps[4], steps[4], 4, 8, steps[16], steps[17]);
+            chainrule_gather(settings, 1, 1, args[5] + start * steps[5], steps[5], 1, 12, 12 * steps[18], steps[18]);
+            sanchez_8r_step_pose_one(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
+            chainrule_scatter(q_next, 1, 1, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[19], steps[19], 0);
+            chainrule_scatter(rates, 1, 1, args[7] + start * steps[7], steps[7], 1, 8, 8 * steps[20], steps[20], 0);
+            chainrule_scatter(manipulability, 1, 1, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
+            chainrule_scatter(error, 1, 1, args[9] + start * steps[9], steps[9], 1, 6, 6 * steps[21], steps[21], 0);
+            chainrule_scatter(null_motion, 1, 1, args[10] + start * steps[10], steps[10], 1, 8, 8 * steps[22], steps[22], 0);
         } else {
-            chainrule_gather(q, 8, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[13], steps[13]);
+            chainrule_gather(q, 8, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[11], steps[11]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
-                chainrule_gather(held, 8, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[14], steps[15]);
+                chainrule_gather(held, 8, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[12], steps[13]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
-                chainrule_gather(velocity, 8, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[16], steps[16]);
+                chainrule_gather(velocity, 8, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[14], steps[14]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
-                chainrule_gather(mobility, 8, taken, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[17], steps[17]);
+                chainrule_gather(push, 8, taken, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[15], steps[15]);
             if (start == 0 || steps[4] != 0) /* the same for all: once */
-                chainrule_gather(push, 8, taken, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[18], steps[18]);
+                chainrule_gather(joints, 8, taken, args[4] + start * steps[4], steps[4], 4, 8, steps[16], steps[17]);
             if (start == 0 || steps[5] != 0) /* the same for all: once */
-                chainrule_gather(middle, 8, taken, args[5] + start * steps[5], steps[5], 1, 8, 8 * steps[19], steps[19]);
-            if (start == 0 || steps[6] != 0) /* the same for all: once */
-                chainrule_gather(narrowness, 8, taken, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[20], steps[20]);
-            if (start == 0 || steps[7] != 0) /* the same for all: once */
-                chainrule_gather(settings, 8, taken, args[7] + start * steps[7], steps[7], 1, 12, 12 * steps[21], steps[21]);
-            sanchez_8r_step_pose_tile(q, held, velocity, mobility, push, middle, narrowness, settings, q_next, rates, manipulability, error, null_motion);
-            chainrule_scatter(q_next, 8, taken, args[8] + start * steps[8], steps[8], 1, 8, 8 * steps[22], steps[22], streaming);
-            chainrule_scatter(rates, 8, taken, args[9] + start * steps[9], steps[9], 1, 8, 8 * steps[23], steps[23], streaming);
-            chainrule_scatter(manipulability, 8, taken, args[10] + start * steps[10], steps[10], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(error, 8, taken, args[11] + start * steps[11], steps[11], 1, 6, 6 * steps[24], steps[24], streaming);
-            chainrule_scatter(null_motion, 8, taken, args[12] + start * steps[12], steps[12], 1, 8, 8 * steps[25], steps[25], streaming);
+                chainrule_gather(settings, 8, taken, args[5] + start * steps[5], steps[5], 1, 12, 12 * steps[18], steps[18]);
+            sanchez_8r_step_pose_tile(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
+            chainrule_scatter(q_next, 8, taken, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[19], steps[19], streaming);
+            chainrule_scatter(rates, 8, taken, args[7] + start * steps[7], steps[7], 1, 8, 8 * steps[20], steps[20], streaming);
+            chainrule_scatter(manipulability, 8, taken, args[8] + start * steps[8], steps[8], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(error, 8, taken, args[9] + start * steps[9], steps[9], 1, 6, 6 * steps[21], steps[21], streaming);
+            chainrule_scatter(null_motion, 8, taken, args[10] + start * steps[10], steps[10], 1, 8, 8 * steps[22], steps[22], streaming);
         }
     }
     chainrule_settle(streaming);

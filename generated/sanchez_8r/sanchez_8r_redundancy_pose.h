@@ -1,6 +1,6 @@
 /* sanchez_8r_redundancy_pose.h: redundancy pose of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 1c623602ab4fbb054d191fd9166c856556c33c96393d19b67e84d1de67b57230.
- * 3895 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 735840aa7435fa93d6e6d8be91176285c9b668c14bf128295b51900d96acd6ff.
+ * 3542 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -25,20 +25,18 @@ extern const char sanchez_8r_redundancy_pose_digest[];
  *   in   q[8]
  *   in   held[4][4] = (target_00, target_01, target_02, target_03, target_10, target_11, target_12, target_13, target_20, target_21, target_22, target_23, target_30, target_31, target_32, target_33)
  *   in   velocity[6] = (velocity1, velocity2, velocity3, velocity4, velocity5, velocity6)
- *   in   mobility[8] = (mobility1, mobility2, mobility3, mobility4, mobility5, mobility6, mobility7, mobility8)
  *   in   push[8] = (push1, push2, push3, push4, push5, push6, push7, push8)
- *   in   middle[8] = (middle1, middle2, middle3, middle4, middle5, middle6, middle7, middle8)
- *   in   narrowness[8] = (narrowness1, narrowness2, narrowness3, narrowness4, narrowness5, narrowness6, narrowness7, narrowness8)
+ *   in   joints[4][8] = (mobility1, mobility2, mobility3, mobility4, mobility5, mobility6, mobility7, mobility8, stiffness1, stiffness2, stiffness3, stiffness4, stiffness5, stiffness6, stiffness7, stiffness8, middle1, middle2, middle3, middle4, middle5, middle6, middle7, middle8, narrowness1, narrowness2, narrowness3, narrowness4, narrowness5, narrowness6, narrowness7, narrowness8)
  *   in   settings[12] = (feedback_position, feedback_orientation, gain_H, gain_inverse_H, gain_inverse_root_H, gain_limits, damping_constant, damping_nakamura, inverse_threshold_H, damping_chiaverini, inverse_threshold_s, dt)
  *   out  q_next[8]
  *   out  rates[8]
  *   out  manipulability (one number)
  *   out  error[6]
  *   out  null_motion[8]
- *   3895 operations */
-void sanchez_8r_step_pose(const double *q, const double *held, const double *velocity, const double *mobility, const double *push, const double *middle, const double *narrowness, const double *settings, double *q_next, double *rates, double *manipulability, double *error, double *null_motion);
+ *   3542 operations */
+void sanchez_8r_step_pose(const double *q, const double *held, const double *velocity, const double *push, const double *joints, const double *settings, double *q_next, double *rates, double *manipulability, double *error, double *null_motion);
 void sanchez_8r_step_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
-void sanchez_8r_step_posef(const float *q, const float *held, const float *velocity, const float *mobility, const float *push, const float *middle, const float *narrowness, const float *settings, float *q_next, float *rates, float *manipulability, float *error, float *null_motion);
+void sanchez_8r_step_posef(const float *q, const float *held, const float *velocity, const float *push, const float *joints, const float *settings, float *q_next, float *rates, float *manipulability, float *error, float *null_motion);
 void sanchez_8r_step_pose_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 #ifdef __cplusplus

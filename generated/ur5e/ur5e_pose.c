@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649.
+ * Made from templates/kernel.c.j2; inputs e73b2473834db20aad93506eba8b4cc2bf94dc5d219ec2b86682c9fa12bb410a.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649";
+const char ur5e_pose_digest[] = "e73b2473834db20aad93506eba8b4cc2bf94dc5d219ec2b86682c9fa12bb410a";
 #endif
 
 #define LANES 64

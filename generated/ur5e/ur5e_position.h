@@ -1,6 +1,6 @@
 /* ur5e_position.h: manipulability (position) of ur5e.
- * Made from templates/kernel.h.j2; inputs b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649.
- * 893 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs e73b2473834db20aad93506eba8b4cc2bf94dc5d219ec2b86682c9fa12bb410a.
+ * 836 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -55,7 +55,7 @@ void ur5e_minors_position_batchf(ptrdiff_t count, char *const *args, const ptrdi
 /* projector I - J^+ J onto the null space of the position Jacobian.
  *   in   q[6]
  *   out  null_projector[6][6]
- *   352 operations */
+ *   295 operations */
 void ur5e_null_projector_position(const double *q, double *null_projector);
 void ur5e_null_projector_position_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void ur5e_null_projector_positionf(const float *q, float *null_projector);

@@ -1,7 +1,7 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b09605a656a8c823a7795a43ffeac82e8ae917b537168b3cd886ee8651002649.
-893 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs e73b2473834db20aad93506eba8b4cc2bf94dc5d219ec2b86682c9fa12bb410a.
+836 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -313,7 +313,7 @@ def minors_position(q):
 
 
 def null_projector_position(q):
-    """projector I - J^+ J onto the null space of the position Jacobian: 352 operations.
+    """projector I - J^+ J onto the null space of the position Jacobian: 295 operations.
 
     in   q[6]
     out  null_projector[6][6]
@@ -355,145 +355,118 @@ def null_projector_position(q):
     t16 = np.where(t15 != 0.0, 1, 0.0)
     t17 = t16 / (t15 + (1 - t16))
     t18 = t1 * t17
-    t19 = t9 * t17
-    t20 = t10 * t17
-    t21 = t11 * t17
-    t22 = t18 * t18 + t19 * t19 + t20 * t20 + t21 * t21
+    t19 = -0.425 * c2
+    t20 = t19 - 0.3922 * t5
+    t21 = t20 + 0.0997 * t8
+    t22 = t21 - 0.0996 * (t6 * s5)
     t23 = t14 * t17
-    t24 = np.sqrt((t22 + t23 * t23))
-    t25 = np.where(t24 != 0.0, 1, 0.0)
-    t26 = t25 / (t24 + (1 - t25))
-    t27 = t18 * t26
-    t28 = -0.425 * c2
-    t29 = t28 - 0.3922 * t5
-    t30 = t29 + 0.0997 * t8
-    t31 = t30 - 0.0996 * (t6 * s5)
-    t32 = t23 * t26
-    t33 = t8 * (t9 - t7) + t6 * (t31 - t30)
-    t34 = t27 * t31 + t32 * t33
-    t35 = t31 - t27 * t34
-    t36 = t19 * t26
-    t37 = t34 * t36
-    t38 = t20 * t26
-    t39 = t34 * t38
-    t40 = t21 * t26
-    t41 = t34 * t40
-    t42 = t35 * t35 + t37 * t37 + t39 * t39 + t41 * t41
-    t43 = t32 * t34 - t33
-    t44 = np.sqrt((t42 + t43 * t43))
-    t45 = np.where(t44 != 0.0, 1, 0.0)
-    t46 = t45 / (t44 + (1 - t45))
-    t47 = t35 * t46
-    t48 = t37 * t46
-    t49 = t39 * t46
-    t50 = t41 * t46
-    t51 = t36 * t48 - t27 * t47 + t38 * t49 + t40 * t50
-    t52 = t43 * t46
-    t53 = t51 + t32 * t52
-    t54 = t47 + t27 * t53
-    t55 = t36 * t53 - t48
-    t56 = t38 * t53 - t49
-    t57 = t40 * t53 - t50
-    t58 = t54 * t54 + t55 * t55 + t56 * t56 + t57 * t57
-    t59 = t52 - t32 * t53
-    t60 = np.sqrt((t58 + t59 * t59))
-    t61 = np.where(t60 != 0.0, 1, 0.0)
-    t62 = t61 / (t60 + (1 - t61))
-    t63 = t54 * t62
-    t64 = t8 * t13
-    t65 = t31 - t28
-    t66 = t31 - t29
-    t67 = t32 * t64 - (t31 * t36 + t38 * t65 + t40 * t66)
-    t68 = t27 * t67
-    t69 = t31 + t36 * t67
-    t70 = t55 * t62
-    t71 = t65 + t38 * t67
-    t72 = t56 * t62
-    t73 = t66 + t40 * t67
-    t74 = t57 * t62
-    t75 = t63 * t68 + t69 * t70 + t71 * t72 + t73 * t74
-    t76 = t64 - t32 * t67
-    t77 = t59 * t62
-    t78 = t75 + t76 * t77
-    t79 = t68 - t63 * t78
-    t80 = t69 - t70 * t78
-    t81 = t71 - t72 * t78
-    t82 = t73 - t74 * t78
-    t83 = t79 * t79 + t80 * t80 + t81 * t81 + t82 * t82
-    t84 = t76 - t77 * t78
-    t85 = np.sqrt((t83 + t84 * t84))
-    t86 = np.where(t85 != 0.0, 1, 0.0)
-    t87 = t86 / (t85 + (1 - t86))
-    t88 = t79 * t87
-    t89 = t84 * t87
-    t90 = t80 * t87
-    t91 = t81 * t87
-    t92 = t82 * t87
-    t93 = t27 * t88 + t36 * t90 + t38 * t91 + t40 * t92
-    t94 = t32 * t89 - t93
-    t95 = t88 + t27 * t94
-    t96 = t90 + t36 * t94
-    t97 = t91 + t38 * t94
-    t98 = t92 + t40 * t94
-    t99 = t63 * t95 + t70 * t96 + t72 * t97 + t74 * t98
-    t100 = t89 - t32 * t94
-    t101 = t99 + t77 * t100
-    t102 = t95 - t63 * t101
-    t103 = t96 - t70 * t101
-    t104 = t97 - t72 * t101
-    t105 = t98 - t74 * t101
-    t106 = t102 * t102 + t103 * t103 + t104 * t104 + t105 * t105
-    t107 = t100 - t77 * t101
-    t108 = np.sqrt((t106 + t107 * t107))
-    t109 = np.where(t108 != 0.0, 1, 0.0)
-    t110 = t109 / (t108 + (1 - t109))
-    t111 = t102 * t110
-    t112 = t103 * t110
-    t113 = -(t27 * t36 + t63 * t70 + t111 * t112)
-    t114 = t104 * t110
-    t115 = -(t27 * t38 + t63 * t72 + t111 * t114)
-    t116 = t105 * t110
-    t117 = -(t27 * t40 + t63 * t74 + t111 * t116)
-    t118 = t107 * t110
-    t119 = t27 * t32 - t63 * t77 - t111 * t118
-    t120 = -(t36 * t38 + t70 * t72 + t112 * t114)
-    t121 = -(t36 * t40 + t70 * t74 + t112 * t116)
-    t122 = t32 * t36 - t70 * t77 - t112 * t118
-    t123 = -(t38 * t40 + t72 * t74 + t114 * t116)
-    t124 = t32 * t38 - t72 * t77 - t114 * t118
-    t125 = t32 * t40 - t74 * t77 - t116 * t118
+    t24 = t8 * (t9 - t7) + t6 * (t22 - t21)
+    t25 = t18 * t22 + t23 * t24
+    t26 = t22 - t18 * t25
+    t27 = t9 * t17
+    t28 = t25 * t27
+    t29 = t10 * t17
+    t30 = t25 * t29
+    t31 = t11 * t17
+    t32 = t25 * t31
+    t33 = t27 * t28 - t18 * t26 + t29 * t30 + t31 * t32
+    t34 = t23 * t25 - t24
+    t35 = t33 + t23 * t34
+    t36 = t26 + t18 * t35
+    t37 = t27 * t35 - t28
+    t38 = t29 * t35 - t30
+    t39 = t31 * t35 - t32
+    t40 = t36 * t36 + t37 * t37 + t38 * t38 + t39 * t39
+    t41 = t34 - t23 * t35
+    t42 = np.sqrt((t40 + t41 * t41))
+    t43 = np.where(t42 != 0.0, 1, 0.0)
+    t44 = t43 / (t42 + (1 - t43))
+    t45 = t36 * t44
+    t46 = t8 * t13
+    t47 = t22 - t19
+    t48 = t22 - t20
+    t49 = t23 * t46 - (t22 * t27 + t29 * t47 + t31 * t48)
+    t50 = t18 * t49
+    t51 = t22 + t27 * t49
+    t52 = t37 * t44
+    t53 = t47 + t29 * t49
+    t54 = t38 * t44
+    t55 = t48 + t31 * t49
+    t56 = t39 * t44
+    t57 = t45 * t50 + t51 * t52 + t53 * t54 + t55 * t56
+    t58 = t46 - t23 * t49
+    t59 = t41 * t44
+    t60 = t57 + t58 * t59
+    t61 = t50 - t45 * t60
+    t62 = t58 - t59 * t60
+    t63 = t51 - t52 * t60
+    t64 = t53 - t54 * t60
+    t65 = t55 - t56 * t60
+    t66 = t18 * t61 + t27 * t63 + t29 * t64 + t31 * t65
+    t67 = t23 * t62 - t66
+    t68 = t61 + t18 * t67
+    t69 = t63 + t27 * t67
+    t70 = t64 + t29 * t67
+    t71 = t65 + t31 * t67
+    t72 = t45 * t68 + t52 * t69 + t54 * t70 + t56 * t71
+    t73 = t62 - t23 * t67
+    t74 = t72 + t59 * t73
+    t75 = t68 - t45 * t74
+    t76 = t69 - t52 * t74
+    t77 = t70 - t54 * t74
+    t78 = t71 - t56 * t74
+    t79 = t75 * t75 + t76 * t76 + t77 * t77 + t78 * t78
+    t80 = t73 - t59 * t74
+    t81 = np.sqrt((t79 + t80 * t80))
+    t82 = np.where(t81 != 0.0, 1, 0.0)
+    t83 = t82 / (t81 + (1 - t82))
+    t84 = t75 * t83
+    t85 = t76 * t83
+    t86 = -(t18 * t27 + t45 * t52 + t84 * t85)
+    t87 = t77 * t83
+    t88 = -(t18 * t29 + t45 * t54 + t84 * t87)
+    t89 = t78 * t83
+    t90 = -(t18 * t31 + t45 * t56 + t84 * t89)
+    t91 = t80 * t83
+    t92 = t18 * t23 - t45 * t59 - t84 * t91
+    t93 = -(t27 * t29 + t52 * t54 + t85 * t87)
+    t94 = -(t27 * t31 + t52 * t56 + t85 * t89)
+    t95 = t23 * t27 - t52 * t59 - t85 * t91
+    t96 = -(t29 * t31 + t54 * t56 + t87 * t89)
+    t97 = t23 * t29 - t54 * t59 - t87 * t91
+    t98 = t23 * t31 - t56 * t59 - t89 * t91
 
     # results
     null_projector = np.empty((*_leading, 36), _real)
-    null_projector[..., 0] = 1 - t27 * t27 - t63 * t63 - t111 * t111
-    null_projector[..., 1] = t113
-    null_projector[..., 2] = t115
-    null_projector[..., 3] = t117
-    null_projector[..., 4] = t119
+    null_projector[..., 0] = 1 - t18 * t18 - t45 * t45 - t84 * t84
+    null_projector[..., 1] = t86
+    null_projector[..., 2] = t88
+    null_projector[..., 3] = t90
+    null_projector[..., 4] = t92
     null_projector[..., 5] = 0.0
-    null_projector[..., 6] = t113
-    null_projector[..., 7] = 1 - t36 * t36 - t70 * t70 - t112 * t112
-    null_projector[..., 8] = t120
-    null_projector[..., 9] = t121
-    null_projector[..., 10] = t122
+    null_projector[..., 6] = t86
+    null_projector[..., 7] = 1 - t27 * t27 - t52 * t52 - t85 * t85
+    null_projector[..., 8] = t93
+    null_projector[..., 9] = t94
+    null_projector[..., 10] = t95
     null_projector[..., 11] = 0.0
-    null_projector[..., 12] = t115
-    null_projector[..., 13] = t120
-    null_projector[..., 14] = 1 - t38 * t38 - t72 * t72 - t114 * t114
-    null_projector[..., 15] = t123
-    null_projector[..., 16] = t124
+    null_projector[..., 12] = t88
+    null_projector[..., 13] = t93
+    null_projector[..., 14] = 1 - t29 * t29 - t54 * t54 - t87 * t87
+    null_projector[..., 15] = t96
+    null_projector[..., 16] = t97
     null_projector[..., 17] = 0.0
-    null_projector[..., 18] = t117
-    null_projector[..., 19] = t121
-    null_projector[..., 20] = t123
-    null_projector[..., 21] = 1 - t40 * t40 - t74 * t74 - t116 * t116
-    null_projector[..., 22] = t125
+    null_projector[..., 18] = t90
+    null_projector[..., 19] = t94
+    null_projector[..., 20] = t96
+    null_projector[..., 21] = 1 - t31 * t31 - t56 * t56 - t89 * t89
+    null_projector[..., 22] = t98
     null_projector[..., 23] = 0.0
-    null_projector[..., 24] = t119
-    null_projector[..., 25] = t122
-    null_projector[..., 26] = t124
-    null_projector[..., 27] = t125
-    null_projector[..., 28] = 1 - t32 * t32 - t77 * t77 - t118 * t118
+    null_projector[..., 24] = t92
+    null_projector[..., 25] = t95
+    null_projector[..., 26] = t97
+    null_projector[..., 27] = t98
+    null_projector[..., 28] = 1 - t23 * t23 - t59 * t59 - t91 * t91
     null_projector[..., 29] = 0.0
     null_projector[..., 30] = 0.0
     null_projector[..., 31] = 0.0

@@ -24,7 +24,8 @@ def generate(
     """Write everything generated for an arm into ``directory``, which is made if needed.
 
     C99 for double and float (``-Wall -Wextra -Werror -pedantic`` clean, no allocation), a NumPy module, a README with
-    the compile line, and test programs that compare with reference values of 40 digits. Files of the same names are
+    the compile line, and test programs that compare with reference values of 40 digits. The C has the step of a
+    controller along the arm's default task, ``<arm>_step``, with its law in a struct. Files of the same names are
     replaced; nothing else is touched; each file is written whole or not at all.
 
     Args:

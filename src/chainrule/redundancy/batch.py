@@ -48,7 +48,8 @@ class Batch:
         worst_position_error: (b, g, d) m; likewise.
         final_position_error: (b, g, d) m, at the end of the path; nan where the run diverged.
         final_orientation_error: (b, g, d) rad; likewise; 0 where the orientation is free.
-        within_limits: (b, g, d) whether every sample is inside the arm's limits of position and velocity.
+        within_position: (b, g, d) whether every sample is inside the arm's position limits.
+        within_velocity: (b, g, d) whether every rate is inside its velocity limits.
         diverged: (b, g, d) whether a rate exceeded the bound, or was not finite.
         diverged_at: (b, g, d) s, when; nan where it did not.
     """
@@ -66,7 +67,8 @@ class Batch:
     worst_position_error: Array
     final_position_error: Array
     final_orientation_error: Array
-    within_limits: Array
+    within_position: Array
+    within_velocity: Array
     diverged: Array
     diverged_at: Array
 
@@ -241,7 +243,7 @@ def _simulated(
     least, peak, push, worst = np.full(shape, np.inf), np.zeros(shape), np.zeros(shape), np.zeros(shape)
     before: Array | None = None
     last, turned = np.full(shape, np.nan), np.full(shape, np.nan)
-    inside, live, when = np.ones(shape, bool), np.ones(shape, bool), np.full(shape, np.nan)
+    inside, slow, live, when = *(np.ones(shape, bool) for _ in range(3)), np.full(shape, np.nan)
 
     def rates(where: Array, k: int) -> Step:
         return stepper(where, held(k), velocity[k], dt)
@@ -261,8 +263,8 @@ def _simulated(
             if before is not None:
                 push[used] = np.maximum(push, np.abs(step.rates - before).max(axis=-1, initial=0.0) / dt)[used]
             before = step.rates
-            fits = ((q >= lower) & (q <= upper) & (np.abs(step.rates) <= fastest)).all(axis=-1)
-            inside &= fits | ~live
+            inside &= ((q >= lower) & (q <= upper)).all(axis=-1) | ~live
+            slow &= (np.abs(step.rates) <= fastest).all(axis=-1) | ~live
             gone = live & ~(finite & (size <= bound))
             when[gone] = k * dt
             live &= ~gone
@@ -278,7 +280,8 @@ def _simulated(
         "worst_position_error": worst,
         "final_position_error": last,
         "final_orientation_error": turned,
-        "within_limits": inside,
+        "within_position": inside,
+        "within_velocity": slow,
         "diverged": ~live,
         "diverged_at": when,
     }
@@ -290,10 +293,11 @@ def _simulated(
 def followable(stepper: Stepper, path: TaskPath, dt: float, count: int = beginnings.STARTS, seed: int = 0) -> Array:
     """The start posture (n,) from which a law follows a path with the largest least manipulability.
 
-    Many postures at the start of the path follow it together, in steps of at least a 150th of its duration.
+    Many postures at the start of the path follow it together, in steps of at least a 150th of its duration; those that
+    keep the velocity limits too come before those that would have to be slowed down.
 
     Raises:
-        InputError: no posture is found at the start, or none of them follows the path inside the limits.
+        InputError: no posture is found at the start, or none of them follows the path inside the position limits.
     """
     arm, task, law = stepper.arm, stepper.task, stepper.law
     assert isinstance(law, Law)
@@ -304,13 +308,16 @@ def followable(stepper: Stepper, path: TaskPath, dt: float, count: int = beginni
     near, turn = (min(k, 1.0 / coarse) for k in law.feedback)
     stepper = Stepper(arm, [replace(law, feedback=(near, turn))], task)
     found = _simulated(stepper, _Targets(arm, path, task, q), q, 1, steps, coarse, "heun", np.pi / coarse)
-    good = (~found["diverged"] & found["within_limits"])[:, 0]
+    good = (~found["diverged"] & found["within_position"])[:, 0]
     if not good.any():
-        reason = "inside the joint limits" if not found["diverged"].all() else "at all"
+        reason = "inside the position limits" if not found["diverged"].all() else "at all"
         raise InputError(
             f"{arm.name}: none of {len(q)} postures at the start follows the path {reason}; q0, or another law, may"
         )
-    return np.asarray(q[int(np.argmax(np.where(good, found["min_manipulability"][:, 0], -np.inf)))])
+    slow = good & found["within_velocity"][:, 0]
+    return np.asarray(
+        q[int(np.argmax(np.where(slow if slow.any() else good, found["min_manipulability"][:, 0], -1.0)))]
+    )
 
 
 # ---- beforehand --------------------------------------------------------------------------------------------------

@@ -50,7 +50,7 @@ RETURNS, SLOWEST, STUCK = 200, 5e-2, 2
 #: A stretch asked to be slower begins so many steps before the failure, at first.
 BACK = 4
 #: A rate this near to its bound (relative to the box) is at it.
-AT = 1e-9
+AT = 1e-6
 #: What happens again after so many samples or fewer is one event.
 APART = 10
 
@@ -407,10 +407,8 @@ def _why(arm: Arm, t: float, q: Array, w: Any, room: Box) -> str:
         width = room.high - room.low
         tight = int(np.argmin(np.where(np.isfinite(width), width, np.inf)))
         kinds = sorted({KINDS[int(room.low_kind[tight])], KINDS[int(room.high_kind[tight])]})
-        cause = (
-            f"no joint is at its position limit; least room has joint '{arm.joint_names[tight]}' ({', '.join(kinds)})"
-        )
-    return f"at {t:.4g} s the limits leave no motion along the path to speak of: {cause}"
+        cause = f"least room has joint '{arm.joint_names[tight]}' ({', '.join(kinds)})"
+    return f"at {t:.4g} s the limits leave no motion along the path to speak of: {cause}; w is {float(w):.3g}"
 
 
 def _scaled_events(t: Array, share: Array) -> list[Event]:

@@ -25,10 +25,8 @@ EVENTS = {
     "limit met": "a joint came to a limit of position, velocity or acceleration",
     "task scaled": "the path is run more slowly than asked, because the limits leave no other way",
     "gain too large": "the null-space gain exceeds the estimated bound of stability for the step",
-    "local law fails": "a coarse run made beforehand meets rates beyond the stated bound, or leaves the path",
     "rates too large": "a joint rate exceeded the stated bound",
     "not finite": "the law gave a number that is not finite",
-    "no progress": "the limits leave no motion along the path, or no admissible motion at all",
 }
 
 
