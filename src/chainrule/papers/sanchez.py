@@ -1011,7 +1011,9 @@ def draw(name: str) -> Figure:
     runs = _runs(path, gain, steps)
     start = f"Figure {name}: the {path} with λ = {_sign(gain)}, step {2000.0 / steps:.3g} ms"
     if what == "determinant":
-        near = "near a singularity" if all(_least(run) < 1e-4 for run in runs.values()) else "away from singularities"
+        close = [start for start, run in runs.items() if _least(run) < 1e-4]
+        near = f"{', '.join(close) if len(close) < len(runs) else ''} near a singularity".strip()
+        near = near if close else "away from singularities"
         return draw_heights(_named(runs), f"{start}, {near}: least det J Jᵀ at {_each(runs, _when, 3)} s")
     peaks = {
         "rates": ("joint rates", "rad/s", lambda run: run.peak_rate),

@@ -465,7 +465,13 @@ def draw_each_joint(runs: Mapping[str, Run], what: str, unit: str, title: str, n
                 axes.plot(run.t, getattr(run, what)[:, j], lw=1.4, **line_look(k))
             axes.yaxis.set_major_locator(MaxNLocator(3))
             axes.annotate(
-                f"q{j + 1}", (0.985, 0.97), xycoords="axes fraction", ha="right", va="top", color=COLOURS["ink"]
+                f"q{j + 1}",
+                (0.985, 0.97),
+                xycoords="axes fraction",
+                ha="right",
+                va="top",
+                color=COLOURS["ink"],
+                bbox={"boxstyle": "round,pad=0.15", "fc": COLOURS["paper"], "ec": "none", "alpha": 0.75},
             )
         for axes in panels[-1]:
             axes.set_xlabel("time [s]")
