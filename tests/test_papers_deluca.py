@@ -82,6 +82,6 @@ found = deluca.singular_set
 
 
 def test_an_unknown_paper_is_refused():
-    with pytest.raises(InputError, match="deluca, ambike, baili, lenarcic can be reproduced"):
+    with pytest.raises(InputError, match="deluca, ambike, baili, lenarcic, sanchez can be reproduced"):
         reproduce("nobody")
     assert "deluca" in PAPERS

@@ -96,8 +96,8 @@ def test_sections_come_in_order_and_all_checks_pass(made):
     keys = list(result.parts)
     assert keys == [key for key in ORDER if key in keys]
     some = {  # sections not every arm has
-        "planar_3r": {"self_motion", "timing", "speed_ratio", "following"},
-        "panda": {"self_motion", "timing"},
+        "planar_3r": {"self_motion", "redundancy", "timing", "speed_ratio", "following"},
+        "panda": {"self_motion", "redundancy", "timing"},
         "orthogonal_3r_fig2a": {"cuspidality"},
     }
     assert some.get(arm.name, set()) | {
@@ -261,6 +261,24 @@ def test_the_self_motion_is_that_of_the_posture_drawn(made):
     turned = [c for c in data["components"] if _on(c, q)]
     assert turned, "the posture drawn is on none of the curves"
     assert "Self-motion" in result.html
+
+
+def test_the_path_with_joints_to_spare_is_a_circle_that_gradient_projection_follows_too(made):
+    arm, result = made
+    if "redundancy" not in result.parts:
+        assert all(arm.n <= rows for rows in arm.tasks.values())
+        return
+    data = result.parts["redundancy"].data
+    plain, gained = data["runs"].values()
+    assert plain["status"] == gained["status"] == "complete"
+    largest = result.parts["map"].data["maximum"]
+    assert data["path"]["radius"] == pytest.approx(0.35 * np.linalg.norm(arm.position(largest["q"])))
+    for run in (plain, gained):  # H on the way is never above the largest that there is
+        assert 0.0 < run["min_manipulability"] <= largest["H"]
+        assert run["worst_position_error"] < 0.002 * data["path"]["radius"] * 2 * math.pi
+    assert plain["law"]["gains"] == {}
+    assert gained["law"]["gains"] == {"H^(-1/2)": -2.0}
+    assert "Joints to spare" in result.html
 
 
 def _on(component, q):

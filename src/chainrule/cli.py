@@ -26,6 +26,7 @@ from chainrule.commands import (  # noqa: F401  each adds its commands to the ap
     reproduce,
     self_motion,
     speed_ratios,
+    track,
     workspace,
 )
 from chainrule.console import app, complain, say

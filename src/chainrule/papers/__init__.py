@@ -111,6 +111,12 @@ PAPERS: dict[str, Paper] = {
             "the regions and lengths of figures 2 and 4, the method (8) to (18), and what the paper claims",
             "chainrule.papers.lenarcic",
         ),
+        Paper(
+            "sanchez",
+            "E. A. Sanchez, Singularity Avoidance for an Eight Degrees of Freedom Serial Manipulator, thesis, 2003",
+            "chapters 2 to 5 as far as page 82, figures 5.1 to 5.32, and what the thesis claims",
+            "chainrule.papers.sanchez",
+        ),
     )
 }
 

@@ -89,6 +89,29 @@ def projection() -> Array:
     return np.array([[-sa, ca, 0.0], [-sh * ca, -sh * sa, ch], [ch * ca, ch * sa, sh]])
 
 
+def seen_from(arm: Arm) -> Array:
+    """(2, 3): what takes a point to the picture: the plane of a planar arm, else the parallel projection."""
+    return np.eye(3)[:2] if "x_alpha" in arm.tasks else projection()[:2]
+
+
+def links(arm: Arm, q: Any) -> Array:
+    """(n + 2, 3): base, joints and tip at ``q`` (n,)."""
+    found = skeleton(arm, q)
+    return np.vstack([np.zeros(3), found.points, found.tip])
+
+
+def even(axes: Axes, arm: Arm) -> None:
+    """One scale for both directions; a frame with metres for a planar arm only."""
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.margins(0.08)
+    if "x_alpha" in arm.tasks:
+        axes.set_xlabel("x [m]")
+        axes.set_ylabel("y [m]")
+    else:
+        axes.set_axis_off()
+
+
 def _spatial(arm: Arm, bones: Skeleton, title: str) -> Figure:
     view = projection()[:2]
     path = _path(bones)

@@ -20,20 +20,17 @@ from numpy.typing import NDArray
 from chainrule.arm import Arm
 from chainrule.errors import InputError
 from chainrule.manipulability import unit
-from chainrule.plot.arm import projection
-from chainrule.plot.style import COLOURS, FIELD, WIDTH, styled
+from chainrule.plot.arm import even, links, seen_from
+from chainrule.plot.style import COLOURS, DASHES, FIELD, WIDTH, line_look, styled
 from chainrule.self_motions.maps import self_motion_map
 from chainrule.self_motions.planar_3r import planar_self_motion, singular_radii, singular_values
 from chainrule.self_motions.result import ENDS, Component, SelfMotion
 from chainrule.self_motions.words import finding, limits_finding
-from chainrule.skeleton import skeleton
 
 Array = NDArray[Any]
 
 #: Postures in a fan, points of a line, of a line coloured piece by piece, and frames of an animation.
 FAN, POINTS, SHADED, FRAMES = 14, 361, 181, 90
-#: Line styles of several lines in one picture.
-DASHES: tuple[Any, ...] = ("-", (0, (5, 1.6)), (0, (1.2, 1.2)), (0, (7, 1.5, 1.5, 1.5)))
 
 
 def draw_self_motion(arm: Arm, found: SelfMotion, which: int | None = None) -> Figure:
@@ -124,55 +121,34 @@ def _height(arm: Arm, found: SelfMotion, q: Array) -> Array:
     return result
 
 
-def _view(arm: Arm) -> Array:
-    return np.eye(3)[:2] if "x_alpha" in arm.tasks else projection()[:2]
-
-
-def _bones(arm: Arm, q: Array) -> Array:
-    """Base, joints and tip (n + 2, 3)."""
-    bones = skeleton(arm, q)
-    return np.vstack([np.zeros(3), bones.points, bones.tip])
-
-
 def _fan(axes: Axes, arm: Arm, found: SelfMotion, index: int, scale: Normalize) -> None:
     """Postures at even steps along a curve."""
-    colours, view, curve = colormaps[FIELD], _view(arm), found.components[index]
+    colours, view, curve = colormaps[FIELD], seen_from(arm), found.components[index]
     single = len(curve.q) == 1
     s = np.zeros(1) if single else _stations(curve, FAN)
     q = curve.q[:1] if single else curve.at(s)
     for posture, height, inside in zip(q, _height(arm, found, q), _within(found, index, s), strict=True):
-        line = _bones(arm, posture) @ view.T
+        line = links(arm, posture) @ view.T
         look: dict[str, Any] = {"lw": 2.2, "alpha": 1.0 if inside else 0.25, "zorder": 2.0 if inside else 1.5}
         axes.plot(*line.T, color=colours(scale(float(height))), solid_capstyle="round", **look)
         axes.plot(*line[1:-1].T, "o", ms=2.6, color=COLOURS["muted"], alpha=look["alpha"], zorder=look["zorder"] + 0.1)
         axes.plot(*line[-1], "o", ms=5.5, color=COLOURS["accent"], zorder=4)
     axes.plot(0.0, 0.0, "s", ms=6, color=COLOURS["ink"], zorder=4)
-    _even(axes, arm)
+    even(axes, arm)
     number = f"curve {index + 1} of {found.count}" if found.count > 1 else "the curve"
     axes.set_title("the only posture" if single else f"{FAN} postures along {number}", loc="left")
 
 
-def _even(axes: Axes, arm: Arm) -> None:
-    axes.spines[["top", "right"]].set_visible(False)
-    axes.set_aspect("equal", adjustable="datalim")
-    axes.margins(0.08)
-    if "x_alpha" in arm.tasks:
-        axes.set_xlabel("x [m]")
-        axes.set_ylabel("y [m]")
-    else:
-        axes.set_axis_off()
-
-
 def _no_curve(axes: Axes, arm: Arm, found: SelfMotion) -> None:
     """The arm in its zero posture, and the target where it is a point."""
-    view = _view(arm)
-    axes.plot(*(_bones(arm, np.zeros(arm.n)) @ view.T).T, "o-", color=COLOURS["link"], lw=3, ms=4, label="arm at q = 0")
+    view = seen_from(arm)
+    axes.plot(*(links(arm, np.zeros(arm.n)) @ view.T).T, "o-", color=COLOURS["link"], lw=3, ms=4, label="arm at q = 0")
     axes.plot(0.0, 0.0, "s", ms=7, color=COLOURS["ink"])
     if found.task != "x_alpha":
         where = found.target[:3, 3] if found.target.shape == (4, 4) else np.append(found.target, [0.0])[:3]
         where = where * ([1.0, 1.0, 0.0] if "x_alpha" in arm.tasks else 1.0)
         axes.plot(*(view @ where), "x", ms=9, mew=2.2, color=COLOURS["accent"], label="target")
-    _even(axes, arm)
+    even(axes, arm)
     axes.legend(frameon=False, fontsize=8.5)
 
 
@@ -253,13 +229,11 @@ def _over_length(axes: Axes, arm: Arm, found: SelfMotion, index: int) -> None:
     s = np.linspace(0.0, 1.0, POINTS)
     q = curve.at(s) if len(curve.q) > 1 else np.repeat(curve.q[:1], POINTS, axis=0)
     turning = np.array([kind == "R" for kind in arm.kinds])
-    names = ("link", "joint", "accent", "axis_y", "axis_z", "ink", "muted")
     for j in range(arm.n):
         values = np.degrees(q[:, j]) if turning[j] else 1000.0 * q[:, j]
         if turning[j]:
             values = values - 360.0 * round(float(values.mean()) / 360.0)
-        look: dict[str, Any] = {"color": COLOURS[names[j % 7]], "ls": DASHES[j % len(DASHES)]}
-        axes.plot(100.0 * s, values, lw=1.6, label=f"q{j + 1}", **look)
+        axes.plot(100.0 * s, values, lw=1.6, label=f"q{j + 1}", **line_look(j))
     if found.feasible is not None:
         for a, b in _runs(_within(found, index, s)):
             axes.axvspan(100.0 * s[a], 100.0 * s[b - 1], color=COLOURS["fill"], lw=0, zorder=0)
@@ -447,7 +421,7 @@ def animation(arm: Arm, found: SelfMotion, which: int | None = None, frames: int
     turn = np.arange(frames) / frames
     s = turn if component.closed else 0.5 - 0.5 * np.cos(2.0 * math.pi * turn)
     q = component.at(s) if len(component.q) > 1 else component.q[:1]
-    lines = [_bones(arm, posture) @ _view(arm).T for posture in q]
+    lines = [links(arm, posture) @ seen_from(arm).T for posture in q]
     every = np.concatenate(lines)
     pictures = []
     with styled():

@@ -37,6 +37,10 @@ COLOURS = {
 #: Colour map of every field: monotonic in lightness, so it survives printing in grey.
 FIELD = "cividis"
 
+#: Line styles of several lines in one picture, and the colours they go with: together they tell lines apart in grey.
+DASHES: tuple[Any, ...] = ("-", (0, (5, 1.6)), (0, (1.2, 1.2)), (0, (7, 1.5, 1.5, 1.5)))
+LINES = ("link", "joint", "accent", "axis_y", "axis_z", "ink", "muted")
+
 WIDTH = 5.0  # inches; text keeps its size relation to the figure on every screen
 _FONTS = ["system-ui", "-apple-system", "Segoe UI", "Roboto", "Helvetica Neue", "Arial", "DejaVu Sans", "sans-serif"]
 
@@ -78,6 +82,11 @@ def figure(height: float, width: float = WIDTH) -> tuple[Figure, Axes]:
     axes = drawing.add_subplot()
     axes.spines[["top", "right"]].set_visible(False)
     return drawing, axes
+
+
+def line_look(k: int) -> dict[str, Any]:
+    """Colour and dashes of the k-th of several lines, from 0; no two of the first 28 look alike."""
+    return {"color": COLOURS[LINES[k % len(LINES)]], "ls": DASHES[k % len(DASHES)]}
 
 
 def svg(drawing: Figure, key: str, title: str, description: str) -> str:

@@ -36,6 +36,7 @@ ORDER = (
     "reach",
     "cuspidality",
     "self_motion",
+    "redundancy",
     "timing",
     "speed_ratio",
     "following",
