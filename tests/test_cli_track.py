@@ -11,7 +11,7 @@ import pytest
 
 import chainrule as cr
 from chainrule import cli
-from chainrule.papers import sanchez
+from chainrule.papers import sanchez_paths as sanchez
 from chainrule.plot import redundancy as drawn
 from chainrule.redundancy import words
 from chainrule.redundancy.samples import circle_through, good_posture, line_from

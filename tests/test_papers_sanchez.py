@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import chainrule as cr
-from chainrule.papers import PAPERS, reproduce, sanchez
+from chainrule.papers import PAPERS, reproduce, sanchez_figures, sanchez_paths, sanchez_runs
 
 NAMES = ("arc", "ellipse", "line")
 
@@ -79,18 +79,18 @@ def table_point(name, i, count):
 
 @pytest.mark.parametrize("name", NAMES)
 def test_paths_are_those_of_table_5_1(name):
-    path = sanchez.PATHS[name]()
+    path = sanchez_paths.PATHS[name]()
     count = 1000
     found = path.sample(2.0 * np.arange(count + 1) / count, "position").held
     np.testing.assert_allclose(found, [table_point(name, i, count) for i in range(count + 1)], atol=1e-14)
     arm = cr.load("sanchez_8r")
-    for start in sanchez.ON[name]:
-        np.testing.assert_allclose(arm.position(sanchez.STARTS[start]), table_point(name, 0, 1), atol=1e-10)
+    for start in sanchez_paths.ON[name]:
+        np.testing.assert_allclose(arm.position(sanchez_paths.STARTS[start]), table_point(name, 0, 1), atol=1e-10)
 
 
 def lowest(name, start, gain, steps):
     """The least det J J^T of the thesis' law in plain NumPy, the gradient by central differences."""
-    arm, q = cr.load("sanchez_8r"), np.array(sanchez.STARTS[start])
+    arm, q = cr.load("sanchez_8r"), np.array(sanchez_paths.STARTS[start])
     least = np.inf
     for k in range(steps + 1):
         jacobian = arm.jacobian(q)
@@ -107,28 +107,28 @@ def lowest(name, start, gain, steps):
 
 @pytest.mark.parametrize(("name", "start", "gain", "steps"), [("arc", "B", -2.0, 299), ("ellipse", "E", -0.8, 1000)])
 def test_runs_are_those_of_plain_numpy(name, start, gain, steps):
-    ours = float(sanchez._run(start, gain, steps).determinant.min())
+    ours = float(sanchez_runs.run_from(start, gain, steps).determinant.min())
     assert ours == pytest.approx(lowest(name, start, gain, steps), rel=1e-3)
 
 
 def test_random_starts_are_at_the_start_and_spread():
-    q = sanchez.random_starts("ellipse", 200, seed=3)
+    q = sanchez_paths.random_starts("ellipse", 200, seed=3)
     assert q.shape == (200, 8)
     np.testing.assert_allclose(cr.load("sanchez_8r").position(q), np.tile([0.4, 0.6, -0.25], (200, 1)), atol=1e-9)
     assert (np.ptp(q, axis=0) > 2.0).all()  # radians
-    assert not np.array_equal(q, sanchez.random_starts("ellipse", 200, seed=4))
-    assert np.array_equal(q[:50], sanchez.random_starts("ellipse", 200, seed=3)[:50])
+    assert not np.array_equal(q, sanchez_paths.random_starts("ellipse", 200, seed=4))
+    assert np.array_equal(q[:50], sanchez_paths.random_starts("ellipse", 200, seed=3)[:50])
 
 
 def test_every_figure_is_known_and_each_kind_is_drawn():
-    known = {*sanchez._PLACES, *sanchez._DRAWN}
+    known = {*sanchez_figures.PLACES, *sanchez_figures.DRAWN}
     assert known == {f"5.{k}" for k in range(1, 33)}
     for name in ("5.5", "5.12", "5.30"):
-        figure = sanchez.draw(name)
+        figure = sanchez_figures.draw(name)
         assert figure.get_suptitle().startswith(f"Figure {name}: ")
         figure.savefig(io.BytesIO(), format="svg")
-    assert "assumed link masses" in sanchez.draw("5.10").get_suptitle()
-    lines = sanchez.draw("5.9").axes[0].lines
+    assert "assumed link masses" in sanchez_figures.draw("5.10").get_suptitle()
+    lines = sanchez_figures.draw("5.9").axes[0].lines
     assert len(lines) == 3  # A, B, C
     for line in lines:
         t, height = line.get_xydata().T
@@ -136,9 +136,9 @@ def test_every_figure_is_known_and_each_kind_is_drawn():
 
 
 def test_the_map_of_gains_shows_the_bound():
-    figure = sanchez.draw_gains()
+    figure = sanchez_figures.draw_gains()
     axes = figure.axes[0]
     crosses = next(line for line in axes.lines if line.get_marker() == "x").get_xydata()
     assert len(crosses) > 5
     assert (crosses.prod(axis=1) > 1000.0).all()  # the path is lost only where |gain| step is above 1 s
-    assert sanchez.draw_starts().axes[0].get_title(loc="left").startswith("Of 3000 random starts")
+    assert sanchez_figures.draw_starts().axes[0].get_title(loc="left").startswith("Of 3000 random starts")

@@ -229,7 +229,7 @@ def _path(
     deg: bool,
 ) -> tuple[TaskPath, Any]:
     """The one path that was given, and the start posture or how it is found."""
-    from chainrule.papers import sanchez
+    from chainrule.papers import sanchez_paths as sanchez
     from chainrule.redundancy.path_files import read_task_path
     from chainrule.redundancy.samples import circle_through, good_posture, line_from
 

@@ -167,6 +167,17 @@ def shown_equal(where: str, quantity: str, printed: str, equal: bool, how: str, 
     )
 
 
+def claim(
+    where: str, what: str, paper: str, ours: str, true: bool, how: str, note: str = "", verdict: Verdict = "agrees"
+) -> Row:
+    """A statement of the paper: ``verdict`` where ours bears out what we say of it, else a disagreement.
+
+    >>> claim("p. 1", "the ring", "has a hole", "has a hole", True, "ring([1, 0.5, 0.25])").verdict
+    'agrees'
+    """
+    return Row(where, what, paper, ours, None, verdict if true else "DISAGREES", how, note)
+
+
 def figures(key: str) -> dict[str, Figure]:
     """The figures of a paper drawn anew, by name; none for papers whose figures other commands draw.
 

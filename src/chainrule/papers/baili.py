@@ -19,7 +19,7 @@ from chainrule.cuspidality.designs import orthogonal_3r
 from chainrule.cuspidality.domains import exact_domain
 from chainrule.derive import orthogonal_designs as derived
 from chainrule.derive.orthogonal_3r import determinant, orthogonal_chain
-from chainrule.papers import Row, Verdict, compared, shown_equal
+from chainrule.papers import Row, claim, compared, shown_equal
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -53,13 +53,6 @@ def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]
     return tuple(found + _beyond())
 
 
-def _claim(
-    where: str, what: str, paper: str, ours: str, true: bool, how: str, note: str = "", verdict: Verdict = "agrees"
-) -> Row:
-    """A statement: ``verdict`` where ours bears out what we say of it, else a disagreement."""
-    return Row(where, what, paper, ours, None, verdict if true else "DISAGREES", how, note)
-
-
 # ---- section II --------------------------------------------------------------------------------------------------
 
 
@@ -70,7 +63,7 @@ def _determinant() -> list[Row]:
     printed = (d3 + c3 * d4) * (s3 * d2 + c2 * (s3 * d3 - c3 * r2))
     missing = sp.simplify(sp.expand(determinant() - d4 * printed)) == 0
     return [
-        _claim(
+        claim(
             "equation (1)",
             "det J",
             "(d3 + c3 d4)(s3 d2 + c2 (s3 d3 - c3 r2))",
@@ -95,12 +88,12 @@ def _figures() -> list[Row]:
         ours = "two curves" if len(curves) - lines == 2 else f"{len(curves) - lines} curves"
         ours += " and two lines" if lines == 2 else ""
         found.append(
-            _claim(figure, "singularities in the joint space", text, ours, ours == text, f"{call}.singular_curves()")
+            claim(figure, "singularities in the joint space", text, ours, ours == text, f"{call}.singular_curves()")
         )
     design = orthogonal_3r(*INSIDE[2], exact=True)
     inner, outer = design.number_of_postures([2.4, 4.0], [0.0, 0.0]).tolist()
     found.append(
-        _claim(
+        claim(
             "figure 2 (a)",
             "postures inside and outside the inner boundary",
             "4 and 2",
@@ -112,7 +105,7 @@ def _figures() -> list[Row]:
     points = [curve.image for curve in orthogonal_3r(*INSIDE[3], exact=True).singular_curves() if curve.line]
     spread = max(float(np.ptp(image, axis=0).max()) for image in points)
     found.append(
-        _claim(
+        claim(
             "figure 2 (b)",
             "image of each line theta3 = +-arccos(-d3/d4)",
             "a point",
@@ -155,7 +148,7 @@ def _surfaces() -> list[Row]:
         ),
         shown_equal("equation (4)", "C2, the singular line tangent to S1", "d4 = d3 A/(1 + d3)", met[0], how),
         shown_equal("equations (5), (6)", "C3 and C4, tangent to S2 and S1", "d4 = d3 B/|d3 - 1|", met[1], how),
-        _claim(
+        claim(
             CASES,
             "no other surface separates",
             "one or more of five surfaces is not relevant",
@@ -191,7 +184,7 @@ def _domains() -> list[Row]:
         rho, z = np.meshgrid(np.linspace(0.01, 10.0, 160), np.linspace(-9.0, 9.0, 161))
         counts[number] = int(arm.number_of_postures(rho, z).max())
     found.append(
-        _claim(
+        claim(
             CASES,
             "greatest number of postures in the five cases",
             "2, then 4 in the other four",
@@ -203,7 +196,7 @@ def _domains() -> list[Row]:
     half = Fraction(1, 2)
     sides = [exact_domain(1, half, d4, half).number for d4 in (Fraction(7, 10), Fraction(71, 100))]
     found.append(
-        _claim(
+        claim(
             "before equation (6)",
             "what C4 separates",
             "cases 4 and 5",
@@ -250,7 +243,7 @@ def _condition() -> list[Row]:
     never_larger = sp.simplify(larger + 2 * derived.R2**2 * derived.D2**2) == 0
     flat = orthogonal_3r(1, 2, "1.5", 0, exact=True)
     return [
-        _claim(
+        claim(
             "condition (7), first line",
             "numerator",
             "(d3² + r2²)² - (d3² + r2²) d2²",
@@ -260,7 +253,7 @@ def _condition() -> list[Row]:
             "the printed one is smaller by 2 r2² d2², so that its bound on d4 is higher",
             "corrected",
         ),
-        _claim(
+        claim(
             "condition (7)",
             "a necessary and sufficient condition",
             "yes",
@@ -270,7 +263,7 @@ def _condition() -> list[Row]:
             "how many are missed depends on where one looks; with r2 near 0 none",
             "corrected",
         ),
-        _claim(
+        claim(
             "condition (7)",
             f"d3, d4, r2 = {', '.join(f'{x:g}' for x in example)} (d2 = 1)",
             "noncuspidal" if not judged else "cuspidal",
@@ -280,7 +273,7 @@ def _condition() -> list[Row]:
             "an arm that the printed condition misses",
             "corrected",
         ),
-        _claim(
+        claim(
             "condition (7)",
             "r2 = 0",
             "not excluded: " + ("cuspidal" if printed_condition(1.0, 2.0, 1.5, 0.0) else "noncuspidal"),
@@ -301,7 +294,7 @@ def _posture_changes() -> Row:
         example = arm.example()
         changed[number] = example is not None and arm.posture_change(*example.postures).certified
     with_path = [number for number, done in changed.items() if done]
-    return _claim(
+    return claim(
         CONDITION,
         "cuspidal arms change posture without a singularity",
         "domains 2, 3, 4",
@@ -327,7 +320,7 @@ def _beyond() -> list[Row]:
     text = " ".join(f"{cusps}/{nodes}" for cusps, nodes in seen.values())
     expected = [(0, 0), (4, 2), (4, 0), (4, 2), (2, 1), (2, 3), (4, 4), (0, 0), (0, 2)]
     return [
-        _claim(
+        claim(
             BEYOND,
             "topologies of the workspace, cusps/nodes",
             "five cases by cusps; other instances of case 2 are mentioned",

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm, load, planar_3r
-from chainrule.papers import Row, Verdict, compared
+from chainrule.papers import Row, claim, compared
 from chainrule.self_motions.eigenvector import eigenvector
 from chainrule.self_motions.face import self_motion
 from chainrule.self_motions.maps import self_motion_map
@@ -44,13 +44,6 @@ def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]
     return tuple(found)
 
 
-def _claim(
-    where: str, what: str, paper: str, ours: str, true: bool, how: str, note: str = "", verdict: Verdict = "agrees"
-) -> Row:
-    """A statement of the paper: ``verdict`` where ours bears out what we say of it, else a disagreement."""
-    return Row(where, what, paper, ours, None, verdict if true else "DISAGREES", how, note)
-
-
 def _at(arm: Arm, x: float, task: str = "position", other: float = 0.0) -> SelfMotion:
     return self_motion(arm, [x, other], task=task)
 
@@ -69,7 +62,7 @@ def _borders(arm: Arm) -> list[Row]:
     reordered = np.array([singular_radii(row) for row in ([0.25, 0.4, 0.35], [0.35, 0.25, 0.4])])
     same = bool(np.abs(reordered - radii).max() < 1e-15)
     found.append(
-        _claim(
+        claim(
             FIRST,
             "the order a < b < c < d",
             "of the formulas as printed",
@@ -94,7 +87,7 @@ def _numbers(arm: Arm) -> list[Row]:
     gaps = [abs(pair[0].length - pair[1].length) for pair in (a, c)]
     mirrored = max(_mirror_error(pair) for pair in (a, c))
     found.append(
-        _claim(
+        claim(
             FIRST,
             "the two curves in regions A and C",
             "identical",
@@ -129,7 +122,7 @@ def _signs(arm: Arm) -> list[Row]:
         opposite = all(kept[0].get(name, 0) * kept[1].get(name, 0) == -1 for name in both)
         words = "q2 and q3" if region == "A" else "q2 and of q1 relative to the target's direction"
         found.append(
-            _claim(
+            claim(
                 FIRST,
                 f"what cannot change sign in region {region}",
                 printed,
@@ -143,7 +136,7 @@ def _signs(arm: Arm) -> list[Row]:
     free = [dict(_at(arm, INSIDE[region]).components[0].signs) for region in "BD"]
     both_ways = all("q2" not in kept and "q3" not in kept for kept in free)
     found.append(
-        _claim(
+        claim(
             FIRST,
             "regions B and D",
             "free to pass from one group to another",
@@ -167,7 +160,7 @@ def _lengths(arm: Arm) -> list[Row]:
     slopes = [_exponent(arm, float(border)) for border in borders]
     how = "self_motion_map(arm, targets).length and .total"
     return [
-        _claim(
+        claim(
             FIRST,
             "one curve of length s splits into two",
             "of lengths s/2",
@@ -175,7 +168,7 @@ def _lengths(arm: Arm) -> list[Row]:
             halves,
             how,
         ),
-        _claim(
+        claim(
             FIRST,
             "discontinuity of the function s",
             "at a, b and c",
@@ -185,7 +178,7 @@ def _lengths(arm: Arm) -> list[Row]:
             "the length of all curves together is continuous",
             "corrected",
         ),
-        _claim(
+        claim(
             FIRST,
             "shape of the total length beside a, b and c",
             "not stated",
@@ -213,7 +206,7 @@ def _special(arm: Arm) -> list[Row]:
     winding = base.components[0].winding if base.components else np.zeros(3)
     scaled = [_at(a, f * 0.7).length for f, a in ((1.0, arm), (3.0, planar_3r(1.2, 1.05, 0.75)))]
     return [
-        _claim(
+        claim(
             FIRST,
             "equal links",
             "two pairs of points collapse into two points",
@@ -223,7 +216,7 @@ def _special(arm: Arm) -> list[Row]:
             "three radii fall into one; the two regions left are as the paper says",
             "corrected",
         ),
-        _claim(
+        claim(
             FIRST,
             "px = 0",
             "left out of region A",
@@ -233,7 +226,7 @@ def _special(arm: Arm) -> list[Row]:
             "nothing is special there: joint 1 turns freely, the other two keep their angles",
             "refined",
         ),
-        _claim(
+        claim(
             SECOND,
             "a change of the arm's size",
             "does not change the curves and s",
@@ -264,7 +257,7 @@ def _second(arm: Arm) -> list[Row]:
     middle = float(shifted.mean())
     right = abs(middle - 0.25 * math.cos(turned)) < 1e-15
     found.append(
-        _claim(
+        claim(
             SECOND,
             "centre of symmetry",
             "px = d3",
@@ -279,7 +272,7 @@ def _second(arm: Arm) -> list[Row]:
     other = [dict(c.signs) for c in self_motion(planar_3r(0.35, 0.40, 0.25), [0.28, 0.0], task="x_alpha").components]
     swapped = "q1" in kept[0] and "q1" not in other[0] and len(other[0]) > 0
     found.append(
-        _claim(
+        claim(
             SECOND,
             "what cannot change sign in region A",
             "q1",
@@ -293,7 +286,7 @@ def _second(arm: Arm) -> list[Row]:
     sums = [c.at(np.linspace(0, 1, 100)).sum(axis=1) for c in _at(arm, 0.6, "x_alpha").components]
     flat = max(float(np.ptp(s)) for s in sums)
     found.append(
-        _claim(
+        claim(
             SECOND,
             "all curves lie in one plane",
             "yes",
@@ -314,7 +307,7 @@ def _method(arm: Arm) -> list[Row]:
     run = eigenvector(arm, curve.q[0], gamma=0.001)
     error = abs(run.length - curve.length) / curve.length
     found = [
-        _claim(
+        claim(
             METHOD,
             "the wrap (13), (14)",
             "q > 2π: -2π, q < 2π: +2π",
@@ -324,7 +317,7 @@ def _method(arm: Arm) -> list[Row]:
             "as printed every angle below 2π would gain a turn at every step; the interval meant is (-π, π]",
             "corrected",
         ),
-        _claim(
+        claim(
             METHOD,
             "error of the length, γ = 0.001",
             "smaller than 0.1 %",
@@ -339,7 +332,7 @@ def _method(arm: Arm) -> list[Row]:
     fine = eigenvector(arm, start, gamma=0.001, k0=5)
     growth = coarse.drift / fine.drift
     found.append(
-        _claim(
+        claim(
             METHOD,
             "the error depends linearly on γ and the length",
             "in the first approximation",
@@ -353,7 +346,7 @@ def _method(arm: Arm) -> list[Row]:
     far = abs(bad.length - near.length) / near.length
     lost = bad.status != "closed" or far > 0.01
     found += [
-        _claim(
+        claim(
             METHOD,
             "the error of closure",
             "never exceeded 5γ",
@@ -363,7 +356,7 @@ def _method(arm: Arm) -> list[Row]:
             "true away from singular targets; stopping within 5γ is also how the method ends, so it can show no more",
             "corrected",
         ),
-        _claim(
+        claim(
             METHOD,
             "close to a singularity",
             "quite robust",
@@ -406,7 +399,7 @@ def _anthropomorphic() -> list[Row]:
     many = sorted({motion.count for motion in eight})
     whole = all(motion.complete == "proved" for motion in eight)
     return [
-        _claim(
+        claim(
             BEFORE,
             "curves of a 4R anthropomorphic arm that positions its wrist",
             "eight",
@@ -428,7 +421,7 @@ def _outlook(arm: Arm) -> list[Row]:
     arcs = motion.feasible or ()
     slide = self_motion_slide()
     return [
-        _claim(
+        claim(
             OUTLOOK,
             "joint limits",
             "joints unlimited",
@@ -438,7 +431,7 @@ def _outlook(arm: Arm) -> list[Row]:
             "not treated by the paper",
             "refined",
         ),
-        _claim(
+        claim(
             OUTLOOK,
             "revolute and translational joints together",
             "problematic: the length depends on a scaling factor",
