@@ -15,15 +15,14 @@ from chainrule.errors import InputError, shown
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Verdict = Literal["agrees", "proved", "refined", "special case", "corrected", "DISAGREES"]
+Verdict = Literal["agrees", "misprint", "true under a condition", "not reproducible", "DISAGREES"]
 
-#: What each verdict means; only the last is a failure.
+#: What each verdict means; only the last is a failure. All but the first have a note that says what is meant.
 VERDICTS: dict[Verdict, str] = {
-    "agrees": "the same to the digits the paper prints",
-    "proved": "SymPy shows that the two are equal",
-    "refined": "the paper's value to its own accuracy, ours to more digits",
-    "special case": "right where the paper uses it, not in general",
-    "corrected": "the paper is wrong here; the note says why",
+    "agrees": "ours is the same: to the digits the paper prints, or by proof",
+    "misprint": "the paper errs; the note gives the corrected form",
+    "true under a condition": "right under the condition that the note states, not in general",
+    "not reproducible": "the paper leaves out what the note names, so that there is nothing to compare with",
     "DISAGREES": "a difference that nothing explains",
 }
 
@@ -153,9 +152,9 @@ def shown_equal(where: str, quantity: str, printed: str, equal: bool, how: str, 
         where,
         quantity,
         printed,
-        "the same" if equal else "not the same",
+        "the same, proved" if equal else "not the same",
         None,
-        "proved" if equal else "DISAGREES",
+        "agrees" if equal else "DISAGREES",
         how,
         note,
     )
