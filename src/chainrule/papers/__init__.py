@@ -1,6 +1,7 @@
 """The papers chainrule rests on, recomputed: each quantity a paper prints, beside ours, with the difference explained.
 
-To add a paper: write a module here with a function ``rows()``, and name it in :data:`PAPERS`.
+To add a paper: write a module here with a function ``rows(progress)``, perhaps one ``figures()``, and name it in
+:data:`PAPERS`.
 """
 
 from __future__ import annotations
@@ -72,9 +73,10 @@ class Row:
 
 @dataclass(frozen=True)
 class Paper:
-    """A paper: its key, how it is cited, what of it is recomputed, and the module that does it."""
+    """A paper: its key, a short title, how it is cited, what of it is recomputed, and the module that does it."""
 
     key: str
+    title: str
     citation: str
     scope: str
     module: str
@@ -86,12 +88,14 @@ PAPERS: dict[str, Paper] = {
     for paper in (
         Paper(
             "deluca",
+            "De Luca 2012",
             "A. De Luca, Robotics I, written exam of 11 January 2012, with solutions",
             "exercises 1 and 2 and the bonus exercise",
             "chainrule.papers.deluca",
         ),
         Paper(
             "ambike",
+            "Ambike, Schmiedeler, Stanišić 2010",
             "S. Ambike, J. P. Schmiedeler, M. M. Stanišić, Using Redundancy in Serial Planar Mechanisms to Improve "
             "Output-Space Tracking Accuracy, 2010",
             "equations (3) to (9), both examples, figures 1 and 2, and what the paper claims",
@@ -99,15 +103,17 @@ PAPERS: dict[str, Paper] = {
         ),
         Paper(
             "baili",
+            "Baili, Wenger, Chablat 2004",
             "M. Baili, P. Wenger, D. Chablat, Kinematic Analysis of a Family of 3R Manipulators, Problems of Mechanics "
             "15(2), 2004",
-            "equations (1) to (7), figures 2 and 7, the five domains, and what the paper claims",
+            "equations (1) to (7), figures 2 to 7, the five domains, and what the paper claims",
             "chainrule.papers.baili",
         ),
         Paper(
             "lenarcic",
+            "Lenarčič 2002",
             "J. Lenarčič, Some considerations on the self-motion curves of a planar 3R manipulator, 2002",
-            "the regions and lengths of figures 2 and 4, the method (8) to (18), and what the paper claims",
+            "equations (4) to (21), figures 2 to 5, and what the paper claims",
             "chainrule.papers.lenarcic",
         ),
     )
@@ -161,7 +167,7 @@ def shown_equal(where: str, quantity: str, printed: str, equal: bool, how: str, 
 
 
 def figures(key: str) -> dict[str, Figure]:
-    """The figures of a paper drawn anew, by name; none for papers whose figures other commands draw.
+    """The figures of a paper drawn anew, by name.
 
     Raises:
         InputError: an unknown paper; the message lists the known ones.

@@ -92,6 +92,13 @@ def svg(drawing: Figure, key: str, title: str, description: str) -> str:
     return inline(buffer.getvalue(), key, title, description)
 
 
+def titles(drawing: Figure) -> str:
+    """What a figure says of itself: its title and those of its panels, as sentences, for those who do not see it."""
+    texts = [drawing.get_suptitle(), *(axes.get_title(loc) for axes in drawing.axes for loc in ("left", "center"))]
+    words = [" ".join(text.split()).rstrip(".") for text in texts if text.strip()]
+    return "".join(f"{word[:1].upper()}{word[1:]}. " for word in dict.fromkeys(words)).rstrip()
+
+
 def inline(text: str, key: str, title: str, description: str) -> str:
     """Matplotlib's SVG made fit to stand in a page beside others."""
     text = text[text.index("<svg") :].strip()
@@ -107,9 +114,12 @@ def inline(text: str, key: str, title: str, description: str) -> str:
     assert opening is not None
     box = re.search(r'viewBox="([^"]*)"', opening.group())
     assert box is not None
+    width = round(float(box.group(1).split()[2]))
+    kind = ' class="wide"' if width > 1.2 * 72.0 * WIDTH else ""
     start = (
-        f'<svg viewBox="{box.group(1)}" role="img" aria-labelledby="{key}-title {key}-desc" '
-        f'preserveAspectRatio="xMidYMid meet">\n<title id="{key}-title">{escape(title)}</title>\n'
+        f'<svg{kind} style="--width:{width}" viewBox="{box.group(1)}" role="img" '
+        f'aria-labelledby="{key}-title {key}-desc" preserveAspectRatio="xMidYMid meet">\n'
+        f'<title id="{key}-title">{escape(title)}</title>\n'
         f'<desc id="{key}-desc">{escape(description)}</desc>'
     )
     return start + text[opening.end() :]

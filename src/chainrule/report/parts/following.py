@@ -74,7 +74,11 @@ def _build(arm: Arm, context: Context) -> Part:
         Picture(Markup(drawn), "Large dots: updates with the pseudoinverse; small ones: looking ahead."),
         Grid(_table(runs)),
     )
-    return Part(blocks, {"path": path.to_dict(), "tolerance": tolerance, "runs": [_facts(run) for run in runs]})
+    return Part(
+        blocks,
+        {"path": path.to_dict(), "tolerance": tolerance, "runs": [_facts(run) for run in runs]},
+        headlines=(text,),
+    )
 
 
 def _facts(run: Followed) -> dict[str, object]:

@@ -1,0 +1,87 @@
+"""The page around sections: one self-contained HTML text, for the report of an arm and for the papers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from markupsafe import Markup
+
+from chainrule.report.content import Block, Details, Motion, Part
+
+
+def page(heading: str, kicker: str, parts: Mapping[str, Part], titles: Mapping[str, str], foot: str) -> str:
+    """Sections as a page that needs nothing beside it.
+
+    Args:
+        heading: what the page is about.
+        kicker: what kind of page it is.
+        parts: the sections by key, in order.
+        titles: their titles, by the same keys.
+        foot: the last line.
+    """
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    from chainrule.tables import printable, readable
+
+    environment = Environment(
+        loader=PackageLoader("chainrule.report", "templates"),
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        undefined=StrictUndefined,
+    )
+    environment.filters |= {
+        "readable": readable,
+        "printable": printable,
+        "breaking": breaking,
+        "capitalised": capitalised,
+    }
+    moves = any(isinstance(block, Motion) for part in parts.values() for block in _all(part.blocks))
+    return environment.get_template("page.html.j2").render(
+        heading=heading, kicker=kicker, parts=parts, titles=titles, foot=foot, version=version(), moves=moves
+    )
+
+
+def _all(blocks: Iterable[Block]) -> Iterable[Block]:
+    """The blocks with those inside others."""
+    for block in blocks:
+        yield block
+        if isinstance(block, Details):
+            yield from _all(block.blocks)
+
+
+def breaking(text: str) -> Markup:
+    """A name that may break into lines after its underscores and brackets.
+
+    >>> breaking("null_vector")
+    Markup('null_<wbr>vector')
+    """
+    found = Markup.escape(text)
+    for mark in ("_", "(", ".", ","):
+        found = found.replace(mark, Markup(f"{mark}<wbr>"))
+    return Markup(found)
+
+
+def capitalised(text: str) -> str:
+    """A sentence with a capital letter at its start, unless it starts with a symbol.
+
+    >>> capitalised("for a left turn"), capitalised("d3 is larger")
+    ('For a left turn', 'd3 is larger')
+    """
+    first = text.partition(" ")[0].rstrip(",;:")
+    word = (
+        first.isalpha() and first.isascii() and (len(first) > 2 or first in ("a", "as", "at", "if", "in", "it", "of"))
+    )
+    return text[:1].upper() + text[1:] if word else text
+
+
+def version() -> str:
+    """The installed version; nothing where chainrule runs from a checkout that is not installed."""
+    from importlib.metadata import PackageNotFoundError
+
+    import chainrule
+
+    try:
+        return str(chainrule.__version__)
+    except PackageNotFoundError:
+        return ""
