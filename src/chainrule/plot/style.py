@@ -31,7 +31,7 @@ COLOURS = {
     "fill_deep": "#a5bfd8",
     "axis_x": "#b0413e",
     "axis_y": "#3f7d4e",
-    "axis_z": "#4a7fd0",
+    "axis_z": "#3568ba",
 }
 
 #: Colour map of every field: monotonic in lightness, so it survives printing in grey.

@@ -126,8 +126,8 @@ class Motion:
         label: what the slider does.
         height: of the picture, whose width is 400.
         base: (x, y) of the arm's base in the picture.
-        tracks: the motions to choose from, as plain values: name, frames, texts, lines of the chart.
-        chart: what is drawn over the slider's range.
+        tracks: the motions to choose from, as plain values: name, frames, texts, lines of the chart, first posture.
+        chart: what is drawn over the slider's range: its title, ticks and frame.
         caption: below.
     """
 
@@ -138,7 +138,7 @@ class Motion:
     height: float
     base: tuple[float, float]
     tracks: tuple[dict[str, Any], ...]
-    chart: str
+    chart: dict[str, Any]
     caption: str
     kind: ClassVar[str] = "motion"
 

@@ -24,7 +24,7 @@ Array = NDArray[Any]
 FRAMES, GHOSTS = 73, 12
 #: The picture's width and margin, and the chart's frame (left, right, top, bottom), in its units.
 WIDTH, MARGIN = 400.0, 26.0
-LEFT, RIGHT, TOP, BOTTOM = 52.0, 392.0, 14.0, 96.0
+LEFT, RIGHT, TOP, BOTTOM = 64.0, 392.0, 14.0, 96.0
 
 
 @dataclass(frozen=True)
@@ -36,12 +36,14 @@ class Track:
         q: (k, n) its postures.
         values: (k,) what the chart shows.
         inside: (k,) whether each posture is within the joint limits; None where there are none to look at.
+        start: the posture shown first.
     """
 
     name: str
     q: Array
     values: Array
     inside: NDArray[np.bool_] | None = None
+    start: int = 0
 
 
 def motion(
@@ -88,17 +90,23 @@ def motion(
             "texts": [_text(arm, track, k, symbol, suffix) for k in range(len(track.q))],
             "line": _points(_curve(track, bounds)),
             "inside": _within(track, bounds),
-            "ticks": [readable(bounds[1], 3), readable(bounds[0], 3)],
+            "start": track.start,
         }
         for track, line in zip(tracks, placed, strict=True)
     )
     base = placed[0][0, 0]
-    description = (
-        f"The arm's first posture of this motion in front of {GHOSTS} others: {plain[0]['texts'][0]}. "
-        "The slider below moves it."
-    )
-    axis = f"{chart} {symbol}" + (f" [{unit}]" if unit else "")
-    return Motion(key, title, description, label, height, (float(base[0]), float(base[1])), plain, axis, caption)
+    shown = plain[0]["texts"][tracks[0].start]
+    description = f"The arm in front of {GHOSTS} other postures of this motion: {shown}. The slider moves it."
+    frame = {
+        "left": LEFT,
+        "right": RIGHT,
+        "top": TOP,
+        "bottom": BOTTOM,
+        "zero": float(BOTTOM + (BOTTOM - TOP) * bounds[0] / (bounds[1] - bounds[0])),
+        "ticks": [readable(bounds[1], 3), readable(bounds[0], 3)],
+        "title": f"{chart} {symbol}" + (f" [{unit}]" if unit else ""),
+    }
+    return Motion(key, title, description, label, height, (float(base[0]), float(base[1])), plain, frame, caption)
 
 
 def _bounds(tracks: Sequence[Track]) -> tuple[float, float]:
@@ -133,7 +141,8 @@ def _within(track: Track, bounds: tuple[float, float]) -> str:
 
 def _text(arm: Arm, track: Track, k: int, symbol: str, suffix: str) -> str:
     """A posture in words."""
-    said = f"{posture(arm, track.q[k])}; {symbol} = {readable(float(track.values[k]), 4)}{suffix}"
+    value = f"{symbol} = {readable(float(track.values[k]), 4)}{suffix}".replace(" ", "\u00a0")
+    said = f"{posture(arm, track.q[k])}; {value}"
     if track.inside is None:
         return said
     return f"{said}; {'within' if track.inside[k] else 'outside'} the joint limits"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping
 
 from markupsafe import Markup
@@ -51,15 +52,13 @@ def _all(blocks: Iterable[Block]) -> Iterable[Block]:
 
 
 def breaking(text: str) -> Markup:
-    """A name that may break into lines after its underscores and brackets.
+    """A name or a call that may break into lines after underscores and brackets, and before the name of an attribute.
 
-    >>> breaking("null_vector")
-    Markup('null_<wbr>vector')
+    >>> breaking("null_vector(q)")
+    Markup('null_<wbr>vector(<wbr>q)')
     """
-    found = Markup.escape(text)
-    for mark in ("_", "(", ".", ","):
-        found = found.replace(mark, Markup(f"{mark}<wbr>"))
-    return Markup(found)
+    escaped = re.sub(r"([_(])|(?=\.[a-z])", r"\1\0", str(Markup.escape(text)))
+    return Markup(escaped.replace("\0", "<wbr>"))
 
 
 def capitalised(text: str) -> str:

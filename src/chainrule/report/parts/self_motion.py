@@ -117,7 +117,8 @@ def _motion(arm: Arm, found: SelfMotion) -> Motion:
         values = np.asarray(arm.manipulability(q, task=found.task))
         turned = np.where([kind == "R" for kind in arm.kinds], np.pi - np.remainder(np.pi - q, 2.0 * np.pi), q)
         name = f"{k + 1} of {found.count}, {readable(curve.length, 4)} rad"
-        tracks.append(Track(name, turned, values, inside))
+        start = int(np.argmax(values if inside is None or not inside.any() else np.where(inside, values, -1.0)))
+        tracks.append(Track(name, turned, values, inside, start))
     size = unit(arm, found.task)
     limited = "; thick where it is within the joint limits" if found.feasible is not None else ""
     return motion(

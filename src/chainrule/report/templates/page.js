@@ -33,6 +33,7 @@ document.querySelectorAll("[data-motion]").forEach(function (figure) {
     });
     one(".line").setAttribute("points", track.line);
     one(".inside").setAttribute("d", track.inside);
+    slider.value = track.start;
     show();
   }
   function point(event) {
