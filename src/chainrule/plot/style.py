@@ -17,6 +17,8 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from chainrule.tables import capitalised
+
 #: Named colours: the light value, which also marks the name in the SVG, so all values differ.
 COLOURS = {
     "ink": "#1c2733",
@@ -93,10 +95,18 @@ def svg(drawing: Figure, key: str, title: str, description: str) -> str:
 
 
 def titles(drawing: Figure) -> str:
-    """What a figure says of itself: its title and those of its panels, as sentences, for those who do not see it."""
+    r"""What a figure says of itself: its title and those of its panels, as sentences, for those who do not see it.
+
+    Example:
+        >>> drawing, axes = figure(3.0)
+        >>> _ = axes.set_title("One finding\nAnother, which\ngoes on", loc="left")
+        >>> titles(drawing)
+        'One finding. Another, which goes on.'
+    """
     texts = [drawing.get_suptitle(), *(axes.get_title(loc) for axes in drawing.axes for loc in ("left", "center"))]
-    words = [" ".join(text.split()).rstrip(".") for text in texts if text.strip()]
-    return "".join(f"{word[:1].upper()}{word[1:]}. " for word in dict.fromkeys(words)).rstrip()
+    lines = [re.sub(r"(?<=[^.,:;])\n(?=[A-Z])", ". ", text.strip()) for text in texts if text.strip()]
+    words = [" ".join(line.split()).rstrip(".") for line in lines]
+    return " ".join(f"{capitalised(word)}." for word in dict.fromkeys(words))
 
 
 def inline(text: str, key: str, title: str, description: str) -> str:

@@ -95,7 +95,7 @@ def motion(
         for track, line in zip(tracks, placed, strict=True)
     )
     base = placed[0][0, 0]
-    shown = plain[0]["texts"][tracks[0].start]
+    shown = _text(arm, tracks[0], tracks[0].start, symbol, suffix)
     description = f"The arm in front of {GHOSTS} other postures of this motion: {shown}. The slider moves it."
     frame = {
         "left": LEFT,

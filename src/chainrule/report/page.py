@@ -22,7 +22,7 @@ def page(heading: str, kicker: str, parts: Mapping[str, Part], titles: Mapping[s
     """
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
-    from chainrule.tables import printable, readable
+    from chainrule.tables import capitalised, printable, readable
 
     environment = Environment(
         loader=PackageLoader("chainrule.report", "templates"),
@@ -59,19 +59,6 @@ def breaking(text: str) -> Markup:
     """
     escaped = re.sub(r"([_(])|(?=\.[a-z])", r"\1\0", str(Markup.escape(text)))
     return Markup(escaped.replace("\0", "<wbr>"))
-
-
-def capitalised(text: str) -> str:
-    """A sentence with a capital letter at its start, unless it starts with a symbol.
-
-    >>> capitalised("for a left turn"), capitalised("d3 is larger")
-    ('For a left turn', 'd3 is larger')
-    """
-    first = text.partition(" ")[0].rstrip(",;:")
-    word = (
-        first.isalpha() and first.isascii() and (len(first) > 2 or first in ("a", "as", "at", "if", "in", "it", "of"))
-    )
-    return text[:1].upper() + text[1:] if word else text
 
 
 def version() -> str:

@@ -12,9 +12,8 @@ from chainrule.plot.maps import draw_map, draw_optima, finding
 from chainrule.plot.style import svg
 from chainrule.report.content import Finding, Part, Picture, Prose
 from chainrule.report.context import Context
-from chainrule.report.page import capitalised
 from chainrule.report.sections import Section
-from chainrule.tables import posture, readable
+from chainrule.tables import capitalised, posture, readable
 
 
 def _zeros(found: ManipulabilityMap) -> str:
