@@ -20,6 +20,7 @@ from chainrule.report.mathml import inner, joint_numbers, split_name
 from chainrule.report.motion import FRAMES, Track, motion
 from chainrule.report.page import page
 from chainrule.report.sections import ORDER, sections
+from chainrule.skeleton import skeleton, skeletons
 from chainrule.workspaces import dexterous_rings, ring
 
 pytestmark = pytest.mark.xdist_group("report")  # one worker, so that the reports are made once
@@ -354,6 +355,31 @@ def test_the_slider_shows_postures_that_hold_the_tip(made):
             np.testing.assert_allclose(tip, target, atol=6e-3)  # a tenth of a degree in each joint
             height = float(re.search(r"H = ([0-9.e-]+)", text.replace("\u00a0", " ")).group(1))
             assert height == pytest.approx(arm.manipulability(q), abs=2e-3)
+
+
+def test_the_slider_tells_what_is_within_the_joint_limits(report_of):
+    _, result = report_of("panda")
+    (tracks,) = moving(result)
+    data = result.parts["self_motion"].data
+    left = [0.0] * len(tracks)
+    for part in data["feasible"]:  # found by following the curves to where a limit is met
+        left[part["of"]] += part["length"]
+    for track, curve, length in zip(tracks, data["components"], left, strict=True):
+        share = np.mean([text.endswith("within the joint limits") for text in track["texts"]])
+        assert share == pytest.approx(length / curve["length"], abs=4.0 / FRAMES)
+        assert (length > 0.0) == track["texts"][track["start"]].endswith("within the joint limits")
+
+
+@pytest.mark.parametrize("name", ["panda", "planar_3r", "orthogonal_3r_fig2a", "rpr"])
+def test_skeletons_of_many_postures(name):
+    arm = cr.planar("RPR", [0.5, 0.4, 0.3], [0.0, 0.3, 0.0]) if name == "rpr" else cr.load(name)
+    q = np.random.default_rng(4).uniform(-2.0, 2.0, (50, arm.n))
+    found = skeletons(arm, q)
+    assert found.shape == (50, arm.n + 2, 3)
+    np.testing.assert_allclose(found[:, -1, : np.asarray(arm.position(q)).shape[1]], arm.position(q), atol=1e-14)
+    one = skeleton(arm, q[7])  # with 20 digits
+    np.testing.assert_allclose(found[7], np.vstack([np.zeros(3), one.points, one.tip]), atol=1e-14)
+    assert skeletons(arm, np.zeros((0, arm.n))).shape == (0, arm.n + 2, 3)
 
 
 # ---- formulas ------------------------------------------------------------------------------------------------------

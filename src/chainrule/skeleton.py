@@ -60,7 +60,7 @@ def skeletons(arm: Arm, q: Any) -> Array:
     symbols = [symbol for port in program.inputs for symbol in port.symbols]
     compute = sp.lambdify(symbols, entries, modules="numpy", cse=lambda expressions: (steps, expressions))
     found = compute(*q.T, *arm.description.model.parameters)
-    points = np.stack([np.broadcast_to(value, len(q)) for value in found], axis=-1).reshape(len(q), -1, 3)
+    points = np.stack([np.broadcast_to(value, len(q)) for value in found], axis=-1).reshape(len(q), arm.n + 1, 3)
     return np.concatenate([np.zeros((len(q), 1, 3)), points], axis=1)
 
 

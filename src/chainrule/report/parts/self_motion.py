@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 from markupsafe import Markup
+from numpy.typing import NDArray
 
 from chainrule.arm import Arm
 from chainrule.manipulability import unit
@@ -22,6 +23,8 @@ from chainrule.self_motions.face import self_motion
 from chainrule.self_motions.result import SelfMotion
 from chainrule.self_motions.words import arcs_table, completeness, curves_table, finding, limits_finding
 from chainrule.tables import posture, readable
+
+Array = NDArray[Any]
 
 #: Points of each curve among the section's numbers for machines.
 POINTS = 37
@@ -113,7 +116,7 @@ def _motion(arm: Arm, found: SelfMotion) -> Motion:
     tracks = []
     for k, curve in enumerate(found.components):
         q = curve.at(s) if len(curve.q) > 1 else np.repeat(curve.q[:1], FRAMES, axis=0)
-        inside = None if found.feasible is None else np.array([_allowed(arm, posture) for posture in q])
+        inside = None if found.feasible is None else _allowed(arm, q)
         values = np.asarray(arm.manipulability(q, task=found.task))
         turned = np.where([kind == "R" for kind in arm.kinds], np.pi - np.remainder(np.pi - q, 2.0 * np.pi), q)
         name = f"{k + 1} of {found.count}, {readable(curve.length, 4)} rad"
@@ -134,13 +137,14 @@ def _motion(arm: Arm, found: SelfMotion) -> Motion:
     )
 
 
-def _allowed(arm: Arm, q: Any) -> bool:
-    """Whether a posture is within the joint limits, up to whole turns."""
+def _allowed(arm: Arm, q: Array) -> NDArray[np.bool_]:
+    """(k,) whether postures (k, n) are within the joint limits, revolute joints up to whole turns."""
     low, high = arm.limits.position.T
-    turning = np.array([kind == "R" for kind in arm.kinds])
-    with np.errstate(invalid="ignore"):
-        moved = np.where(turning & np.isfinite(low), low + np.remainder(q - low, 2.0 * np.pi), q)
-    return bool(((moved >= low - 1e-9) & (moved <= high + 1e-9)).all())
+    turning = np.array([kind == "R" for kind in arm.kinds]) & np.isfinite(low)
+    start = np.where(turning, low, 0.0)
+    moved = np.where(turning, start + np.remainder(q - start + 1e-9, 2.0 * np.pi) - 1e-9, q)
+    inside: NDArray[np.bool_] = ((moved >= low - 1e-9) & (moved <= high + 1e-9)).all(axis=1)
+    return inside
 
 
 def _numbers(found: SelfMotion) -> dict[str, Any]:
