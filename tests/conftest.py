@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -33,3 +35,20 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     folder = tmp_path / "cache"
     monkeypatch.setenv("CHAINRULE_CACHE", str(folder))
     return folder
+
+
+@pytest.fixture(scope="session")
+def report_of() -> Callable[[str], Any]:
+    """An embedded arm and its report, by the arm's name; made once."""
+    import chainrule as cr
+    from chainrule import report
+
+    made: dict[str, Any] = {}
+
+    def build(name: str) -> Any:
+        if name not in made:
+            arm = cr.load(name)
+            made[name] = arm, report.build(arm)
+        return made[name]
+
+    return build

@@ -157,6 +157,9 @@ def test_the_wrong_entry_is_named(call):
         ("generate", "planar_3r", "-o", "x", "--targets", "fortran"),
         ("reproduce", "nobody"),
         ("report", "panda", "-o", "."),
+        ("report", "panda", "-o", "missing/panda.html"),
+        ("workspace", "planar_3r", "--figure", "missing/figure.svg"),
+        ("self-motion", "lenarcic_3r", "--target", "0.4,0", "--csv", "missing/points.csv"),
         ("show", "../../etc/passwd"),
         ("show", "a\x1b[31mb\nc"),
     ],
@@ -221,21 +224,48 @@ def test_reproduce(call, monkeypatch):
     told = json.loads(out)
     assert told["agrees"] is True
     assert len(told["papers"]["deluca"]["rows"]) > 15
+    assert set(told["papers"]["deluca"]["rows"][0]) >= {
+        "where",
+        "quantity",
+        "paper",
+        "ours",
+        "difference",
+        "verdict",
+        "how",
+    }
+
+
+def test_reproduce_all_papers_on_one_page(call, tmp_path, monkeypatch):
+    row = papers.Row("here", "<b>a length</b>", "1", "2", 1.0, "misprint", "f(x)", "it is 2")
     asked = []
-    monkeypatch.setattr(papers, "reproduce", lambda key, progress: asked.append(key) or rows)
-    rows = (papers.Row("here", "a length", "1", "1", 0.0, "agrees", "by hand"),)
-    code, out, _ = call("reproduce")  # each paper's rows have tests of their own
-    assert code == 0
+    monkeypatch.setattr(papers, "reproduce", lambda key, progress: asked.append(key) or (row,))
+    monkeypatch.setattr(papers, "figures", lambda key: {})
+    file = tmp_path / "papers.html"
+    code, out, err = call("reproduce", "all", "--html", file)
+    assert (code, err) == (0, "")
     assert asked == list(papers.PAPERS)
-    assert out.count("verdict") == len(asked)
+    assert "verdict" in out
+    assert "here, <b>a length</b>: misprint: it is 2." in out
+    page = file.read_text("utf-8")
+    assert page.count("&lt;b&gt;a length&lt;/b&gt;") == len(asked)
+    assert "<b>" not in page
+    assert "It is 2." in page
+    assert "f(<wbr>x)" in page
+    for option, path, message in (
+        ("--html", tmp_path / "x.pdf", "the page is written as .html"),
+        ("--html", tmp_path / "no" / "x.html", "there is no folder"),
+        ("--figures", file, "is a file; a folder is accepted"),
+    ):
+        assert message in refused(call("reproduce", "deluca", option, path))
+    assert list(tmp_path.iterdir()) == [file]
 
 
-@pytest.mark.parametrize(("paper", "count"), [("baili", 7), ("lenarcic", 4), ("deluca", 0)])
+@pytest.mark.parametrize(("paper", "count"), [("baili", 7), ("lenarcic", 4), ("deluca", 4), ("ambike", 2)])
 def test_figures_of_a_paper(call, tmp_path, monkeypatch, paper, count):
     monkeypatch.setattr(papers, "reproduce", lambda key, progress: ())  # the rows have tests of their own
     code, out, err = call("reproduce", paper, "--figures", tmp_path / "figures")
     assert (code, err) == (0, "")
-    drawn = sorted((tmp_path / "figures").glob("*.svg")) if count else []
+    drawn = sorted((tmp_path / "figures").glob("*.svg"))
     assert len(drawn) == count
     assert all(path.read_text("utf-8").rstrip().endswith("</svg>") and str(path) in out for path in drawn)
 

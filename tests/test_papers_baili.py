@@ -16,14 +16,22 @@ def test_nothing_is_left_unexplained(rows):
     assert [row.quantity for row in rows if not row.good] == []
     assert {row.verdict for row in rows} <= set(VERDICTS)
     assert all(row.how and row.where and row.paper and row.ours for row in rows)
-    assert all(row.note for row in rows if row.verdict in ("special case", "refined", "corrected"))
+    assert all(row.note for row in rows if row.verdict != "agrees")
     assert not any(row.note.endswith(".") for row in rows)
 
 
 def test_the_corrections_are_where_they_are(rows):
-    corrected = {row.where for row in rows if row.verdict == "corrected"}
-    assert corrected == {"equation (1)", "before equation (6)", "condition (7), first line", "condition (7)"}
-    assert {row.where for row in rows if row.verdict == "proved"} >= {"equation (2)", "equation (4)"}
+    corrected = {row.where for row in rows if row.verdict == "misprint"}
+    places = {"equation (1)", "before equation (6)", "figure 7", "condition (7), first line", "condition (7)"}
+    assert corrected == places
+    assert {row.where for row in rows if row.ours == "the same, proved"} >= {"equation (2)", "equation (4)"}
+    (hypothesis,) = [row for row in rows if row.quantity == "r2 = 0"]
+    assert hypothesis.verdict == "true under a condition"
+
+
+def test_every_figure_has_a_row(rows):
+    where = " ".join(row.where for row in rows)
+    assert all(f"figure {number}" in where for number in (2, 3, 4, 5, 6, 7))
 
 
 def test_the_rows_can_fail(monkeypatch):
@@ -46,4 +54,6 @@ def test_the_printed_condition_errs_on_one_side_only():
     np.testing.assert_allclose(high, true, rtol=1e-6, atol=1e-9)
     printed = np.sqrt(np.maximum((x - (x**2 - x) / root) / 2, 0.0))
     assert (printed >= true - 1e-12).all()
+    assert (baili.printed_condition(1.0, d3, true + 1e-6, r2, corrected=True) | (d3 < 1.0)).all()
+    assert not baili.printed_condition(1.0, d3, true - 1e-6, r2, corrected=True).any()
     assert not baili.printed_condition(1.0, d3, (true + printed) / 2, r2)[printed - true > 1e-3].any()

@@ -1,21 +1,29 @@
 """The report: its structure as a document, what it refuses to trust, and that what it states is true."""
 
+import json
 import math
 import re
+from dataclasses import replace
 from html.parser import HTMLParser
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
 import chainrule as cr
 from chainrule import report
-from chainrule.description import Description
 from chainrule.manipulability import max_manipulability, min_manipulability, unit
 from chainrule.reach import reach, reach_bound
-from chainrule.readers import families
+from chainrule.report.content import Part
+from chainrule.report.context import Context
 from chainrule.report.mathml import inner, joint_numbers, split_name
-from chainrule.report.sections import ORDER
+from chainrule.report.motion import FRAMES, Track, motion
+from chainrule.report.page import page
+from chainrule.report.sections import ORDER, sections
+from chainrule.skeleton import skeleton, skeletons
 from chainrule.workspaces import dexterous_rings, ring
+
+pytestmark = pytest.mark.xdist_group("report")  # one worker, so that the reports are made once
 
 VOID = {"meta", "link", "br", "hr", "img", "input", "col", "wbr"}
 HOSTILE = '<script>alert("x")</script><img src=http://evil.example/x onerror=y> {{ 7*7 }} \x1b[31m'
@@ -50,9 +58,14 @@ class Document(HTMLParser):
 
 
 @pytest.fixture(scope="module", params=["panda", "planar_3r", "orthogonal_3r_fig2a"])
-def made(request):
-    arm = cr.load(request.param)
-    return arm, report.build(arm)
+def made(request, report_of):
+    return report_of(request.param)
+
+
+def small(**changes):
+    """An arm whose report is short."""
+    plain = cr.planar("R", [0.7], name="one").description
+    return cr.Arm(replace(plain, **changes))
 
 
 def test_it_is_a_well_formed_page(made):
@@ -78,12 +91,22 @@ def test_it_is_a_well_formed_page(made):
         assert set(drawing["aria-labelledby"].split()) <= set(ids)
     assert page.all("math")
     assert arm.name in "".join(page.text)
+    levels = [int(tag[1]) for tag, _, _ in page.found if re.fullmatch("h[1-6]", tag)]
+    assert levels[0] == 1
+    assert max(b - a for a, b in pairwise(levels)) <= 1
+    (skip,) = [anchor for anchor in page.all("a") if anchor.get("class") == "skip"]
+    assert skip == page.all("a")[0]
+    assert skip["href"] == "#" + page.all("main")[0]["id"]
+    labels = {label["for"] for label in page.all("label")}
+    assert {control["id"] for control in page.all("input") + page.all("select")} == labels
 
 
 def test_it_needs_nothing_from_outside(made):
     _, result = made
     page = Document(result.html)
-    assert not page.all("script")
+    assert all("src" not in script for script in page.all("script"))
+    for word in ("fetch(", "XMLHttpRequest", "import(", "WebSocket", "eval(", "http:", "https:"):
+        assert word not in re.sub(r'xmlns(:\w+)?="[^"]*"', "", result.html)
     for _, attributes, _ in page.found:
         for key in ("src", "href", "data", "poster", "action", "srcset"):
             assert attributes.get(key, "#").startswith(("#", "data:")), attributes
@@ -126,9 +149,7 @@ def test_both_colour_schemes_and_print_are_provided(made):
 
 
 def test_text_from_files_is_only_ever_text():
-    plain = families.planar_3r(1.0, 0.5, 0.25)
-    arm = cr.Arm(Description("hostile", plain.joints, plain.geometry, source=HOSTILE))
-    text = report.html(arm)
+    text = report.html(small(name="hostile", source=HOSTILE))
     page = Document(text)
     assert not page.all("script")
     assert not page.all("img")
@@ -137,11 +158,23 @@ def test_text_from_files_is_only_ever_text():
     assert "\x1b" not in text
 
 
+def test_a_script_cannot_be_left_from_inside_a_motion():
+    arm = cr.planar_3r(1.0, 0.5, 0.25)
+    q = np.zeros((FRAMES, 3))
+    tracks = [Track("</script><img src=x>", q, np.ones(FRAMES))]
+    words = dict.fromkeys(("label", "chart", "symbol", "unit", "title", "caption"), "</script><b>")
+    text = page("x", "y", {"one": Part((motion(arm, "k", tracks, **words),))}, {"one": "One"}, "")
+    found = Document(text)
+    assert not found.all("img")
+    assert not found.all("b")
+    assert len(found.all("script")) == 2
+
+
 def test_a_failed_check_is_shown_and_told(monkeypatch):
     from chainrule import checks
 
     monkeypatch.setattr(checks, "DOUBLE", 1e-30)
-    result = report.build(cr.planar_3r(1.0, 0.5, 0.25))
+    result = report.build(small())
     assert not result.passed
     assert 'class="finding bad"' in result.html
     assert "FAIL" in result.html
@@ -152,27 +185,37 @@ def test_writing_is_whole_or_not_at_all(tmp_path, monkeypatch):
     target.write_text("old")
     monkeypatch.setattr(report, "_page", lambda *rest: (_ for _ in ()).throw(KeyboardInterrupt))
     with pytest.raises(KeyboardInterrupt):
-        report.write(cr.planar_3r(1.0, 0.5, 0.25), target)
+        report.write(small(), target)
     assert target.read_text() == "old"
     assert list(tmp_path.iterdir()) == [target]
 
 
+def test_a_missing_folder_is_named_before_anything_is_computed(tmp_path):
+    with pytest.raises(cr.InputError, match=r"there is no folder .*missing"):
+        report.write(small(), tmp_path / "missing" / "page.html", lambda line: pytest.fail("it went to work"))
+    with pytest.raises(cr.InputError, match="is a folder; a file is accepted"):
+        report.write(small(), tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_an_arm_with_too_few_joints_for_any_task_has_a_report():
-    result = report.build(cr.planar("R", [0.7], name="one"))
+    result = report.build(small())
     assert "map" not in result.parts
     assert result.passed
 
 
 def test_an_arm_whose_manipulability_never_changes():
     arm = cr.planar("PPP", [0.1, 0.3, 0.4], [0.0, 0.7, 1.9], name="ppp")
-    result = report.build(arm)
+    context = Context(arm)
+    parts = {s.key: s.build(arm, context) for s in sections(arm) if s.key in ("map", "singular", "self_motion")}
     # The minors are the sines of the angles between the headings, which add up along the chain.
     expected = math.sqrt(math.sin(0.7) ** 2 + math.sin(2.6) ** 2 + math.sin(1.9) ** 2)
-    assert result.parts["map"].data["maximum"]["H"] == pytest.approx(expected, rel=1e-14)
-    assert result.parts["singular"].data["proved"] is True
-    motion = result.parts["self_motion"].data
-    assert [curve["closed"] for curve in motion["components"]] == [False]  # the slides go on without end
-    assert motion["complete"] != "proved"
+    assert parts["map"].data["maximum"]["H"] == pytest.approx(expected, rel=1e-14)
+    assert parts["singular"].data["proved"] is True
+    assert parts["singular"].headlines == ("It is never singular.",)
+    found = parts["self_motion"].data
+    assert [curve["closed"] for curve in found["components"]] == [False]  # the slides go on without end
+    assert found["complete"] != "proved"
 
 
 # ---- what the report states ----------------------------------------------------------------------------------------
@@ -286,6 +329,75 @@ def _on(component, q):
     low, high = np.array(component["box"]).T
     shift = np.ceil((low - 1e-9 - q) / (2 * np.pi)) * 2 * np.pi
     return bool((q + shift <= high + 1e-9).all())
+
+
+def test_the_summary_says_what_the_sections_found(made):
+    arm, result = made
+    lines = result.parts["summary"].data["findings"]
+    said = " ".join(lines)
+    assert said.count("self-motion curve") == ("self_motion" in result.parts)
+    assert [line for part in result.parts.values() for line in part.headlines] == lines
+    expected = {
+        "panda": ["four self-motion curves, and cannot pass from one to another", "3 arcs are left"],
+        "planar_3r": ["0.25 to 1.75 m", "one self-motion curve", "Avoid postures with all three links in one line"],
+        "orthogonal_3r_fig2a": ["This arm is cuspidal", "4 cusps", "Avoid the two curves"],
+    }
+    for words in expected[arm.name]:
+        assert words in said
+    assert all(line in result.html.replace("&#39;", "'") for line in lines)
+
+
+def moving(result):
+    """The data of the page's sliders."""
+    found = re.findall(r'<script type="application/json">(.*?)</script>', result.html, re.DOTALL)
+    return [json.loads(text) for text in found]
+
+
+def test_the_slider_shows_postures_that_hold_the_tip(made):
+    arm, result = made
+    if arm.name == "orthogonal_3r_fig2a":
+        ((track,),) = moving(result)  # a change of posture: the tip comes back
+        tips = [frame.split()[-1] for frame in (track["frames"][0], track["frames"][-1])]
+        assert tips[0] == tips[1]
+        assert track["frames"][0] != track["frames"][-1]
+        return
+    (tracks,) = moving(result)
+    assert len(tracks) == result.parts["self_motion"].data["count"]
+    assert len({frame.split()[-1] for track in tracks for frame in track["frames"]}) == 1
+    target = np.array(result.parts["self_motion"].data["target"])
+    for track in tracks:
+        for text in track["texts"][::9]:
+            degrees = re.findall(r"q[1-7] = (−?[0-9.]+)°", text.replace("\u00a0", " "))
+            q = np.radians([float(value.replace("−", "-")) for value in degrees])
+            tip = arm.pose(q) if target.shape == (4, 4) else arm.position(q)
+            np.testing.assert_allclose(tip, target, atol=6e-3)  # a tenth of a degree in each joint
+            height = float(re.search(r"H = ([0-9.e-]+)", text.replace("\u00a0", " ")).group(1))
+            assert height == pytest.approx(arm.manipulability(q), abs=2e-3)
+
+
+def test_the_slider_tells_what_is_within_the_joint_limits(report_of):
+    _, result = report_of("panda")
+    (tracks,) = moving(result)
+    data = result.parts["self_motion"].data
+    left = [0.0] * len(tracks)
+    for part in data["feasible"]:  # found by following the curves to where a limit is met
+        left[part["of"]] += part["length"]
+    for track, curve, length in zip(tracks, data["components"], left, strict=True):
+        share = np.mean([text.endswith("within the joint limits") for text in track["texts"]])
+        assert share == pytest.approx(length / curve["length"], abs=4.0 / FRAMES)
+        assert (length > 0.0) == track["texts"][track["start"]].endswith("within the joint limits")
+
+
+@pytest.mark.parametrize("name", ["panda", "planar_3r", "orthogonal_3r_fig2a", "rpr"])
+def test_skeletons_of_many_postures(name):
+    arm = cr.planar("RPR", [0.5, 0.4, 0.3], [0.0, 0.3, 0.0]) if name == "rpr" else cr.load(name)
+    q = np.random.default_rng(4).uniform(-2.0, 2.0, (50, arm.n))
+    found = skeletons(arm, q)
+    assert found.shape == (50, arm.n + 2, 3)
+    np.testing.assert_allclose(found[:, -1, : np.asarray(arm.position(q)).shape[1]], arm.position(q), atol=1e-14)
+    one = skeleton(arm, q[7])  # with 20 digits
+    np.testing.assert_allclose(found[7], np.vstack([np.zeros(3), one.points, one.tip]), atol=1e-14)
+    assert skeletons(arm, np.zeros((0, arm.n))).shape == (0, arm.n + 2, 3)
 
 
 # ---- formulas ------------------------------------------------------------------------------------------------------

@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from chainrule.errors import InputError, shown
+from chainrule.outputs import output_file
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -152,7 +153,7 @@ def write_figure(drawing: Figure, path: Path) -> None:
     """A figure into a file, whole or not at all; the suffix says how.
 
     Raises:
-        InputError: a suffix other than .svg, .png or .pdf.
+        InputError: a suffix other than .svg, .png or .pdf, or a folder that does not exist.
     """
     import io
 
@@ -162,6 +163,7 @@ def write_figure(drawing: Figure, path: Path) -> None:
     kind = path.suffix.lower().removeprefix(".")
     if kind not in ("svg", "png", "pdf"):
         raise InputError(f"{path}: a figure is written as .svg, .png or .pdf")
+    output_file(path)
     buffer = io.BytesIO()
     dated: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
     with styled():

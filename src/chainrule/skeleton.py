@@ -35,8 +35,39 @@ class Skeleton:
 
 def skeleton(arm: Arm, q: Any) -> Skeleton:
     """The skeleton at ``q`` (n,), from the same named steps that the arm's functions are generated from."""
+    from chainrule.derive.program import evaluate
+
+    given = {"q": [float(x) for x in q], "parameters": list(arm.description.model.parameters)}
+    found = evaluate(_program(arm), given, digits=20)
+    arrays = {name: np.array([float(x) for x in entries]).reshape(-1, 3) for name, entries in found.items()}
+    flat = isinstance(arm.description.geometry, Planar)
+    return Skeleton(arrays["points"], arrays["axes"], arrays["tip"][0], arrays["frame"].T, flat)
+
+
+def skeletons(arm: Arm, q: Any) -> Array:
+    """Base, joints and tip (k, n + 2, 3), m, at many configurations (k, n), from the same steps.
+
+    Example:
+        >>> from chainrule import planar_3r
+        >>> skeletons(planar_3r(1.0, 0.5, 0.25), [[0.0, 0.0, 0.0]])[0, :, 0]
+        array([0.  , 0.  , 1.  , 1.5 , 1.75])
+    """
+    import sympy as sp
+
+    program, q = _program(arm), np.asarray(q, float)
+    entries = [e for output in program.outputs if output.name in ("points", "tip") for e in output.expressions]
+    steps = [(step.symbol, step.expression) for step in program.steps]
+    symbols = [symbol for port in program.inputs for symbol in port.symbols]
+    compute = sp.lambdify(symbols, entries, modules="numpy", cse=lambda expressions: (steps, expressions))
+    found = compute(*q.T, *arm.description.model.parameters)
+    points = np.stack([np.broadcast_to(value, len(q)) for value in found], axis=-1).reshape(len(q), arm.n + 1, 3)
+    return np.concatenate([np.zeros((len(q), 1, 3)), points], axis=1)
+
+
+def _program(arm: Arm) -> Any:
+    """The derivation of the skeleton."""
     from chainrule.derive import catalogue, chain, planar
-    from chainrule.derive.program import Expression, Output, Program, Steps, evaluate, needed
+    from chainrule.derive.program import Expression, Output, Program, Steps, needed
 
     symbolic, steps = catalogue.symbolic(arm.description.model), Steps()
     flat = isinstance(arm.description.geometry, Planar)
@@ -70,8 +101,4 @@ def skeleton(arm: Arm, q: Any) -> Skeleton:
     outputs = tuple(
         Output(name, (len(rows), 3), tuple(sp.S(e) for row in rows for e in row)) for name, rows in vectors.items()
     )
-    program = needed(Program("skeleton", "", symbolic.inputs, tuple(steps.steps), outputs))
-    given = {"q": [float(x) for x in q], "parameters": list(arm.description.model.parameters)}
-    found = evaluate(program, given, digits=20)
-    arrays = {name: np.array([float(x) for x in entries]).reshape(-1, 3) for name, entries in found.items()}
-    return Skeleton(arrays["points"], arrays["axes"], arrays["tip"][0], arrays["frame"].T, flat)
+    return needed(Program("skeleton", "", symbolic.inputs, tuple(steps.steps), outputs))

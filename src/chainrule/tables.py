@@ -75,6 +75,19 @@ def printable(text: str, most: int = 400) -> str:
     return clean if len(clean) <= most else clean[: most - 1] + "…"
 
 
+def capitalised(text: str) -> str:
+    """A sentence with a capital letter at its start, unless it starts with a symbol.
+
+    >>> capitalised("for a left turn"), capitalised("d3 is larger")
+    ('For a left turn', 'd3 is larger')
+    """
+    first = text.partition(" ")[0].rstrip(",;:")
+    word = (
+        first.isalpha() and first.isascii() and (len(first) > 2 or first in ("a", "as", "at", "if", "in", "it", "of"))
+    )
+    return text[:1].upper() + text[1:] if word else text
+
+
 def angle_deg(value: float) -> float:
     """Degrees, without the last rounding error of a quarter turn."""
     return float(f"{math.degrees(value):.12g}")

@@ -22,6 +22,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError
+from chainrule.outputs import output_file
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -49,13 +50,22 @@ def classify(
         typer.Option(metavar="RHO,Z", help="A point of the cross-section, in m: the postures that reach it."),
     ] = None,
     figure: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Draw singular curves, cusps and postures (.svg, .png, .pdf).")
+        Path | None,
+        typer.Option(
+            metavar="FILE", callback=output_file, help="Draw singular curves, cusps and postures (.svg, .png, .pdf)."
+        ),
     ] = None,
     domains: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Draw the family's design space with the design marked.")
+        Path | None,
+        typer.Option(
+            metavar="FILE", callback=output_file, help="Draw the family's design space with the design marked."
+        ),
     ] = None,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="For a .csv file: write the answers here.")
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", callback=output_file, help="For a .csv file: write the answers here."
+        ),
     ] = None,
     tries: Annotated[int, typer.Option(help="For six joints without a spherical wrist: poses to try.")] = 40,
     tip: Tip = None,

@@ -23,6 +23,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError
+from chainrule.outputs import output_file
 
 if TYPE_CHECKING:
     from chainrule.following import Followed
@@ -52,7 +53,8 @@ def follow(
     start: Annotated[float | None, typer.Option(help="Arc length, in m, at which to begin.")] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
     figure: Annotated[
-        Path | None, typer.Option(help="Draw the path, updates and offsets into FILE (.svg, .png or .pdf).")
+        Path | None,
+        typer.Option(callback=output_file, help="Draw the path, updates and offsets into FILE (.svg, .png or .pdf)."),
     ] = None,
     tip: Tip = None,
     base: Base = None,

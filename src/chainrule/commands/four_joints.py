@@ -22,6 +22,7 @@ from chainrule.console import (
     say,
     write_figure,
 )
+from chainrule.outputs import output_file
 
 
 @app.command()
@@ -32,7 +33,9 @@ def four_joints(
     curvature: Annotated[str, typer.Option(help="The desired curvature, 1/m; a left turn is positive.")],
     curvature_rate: Annotated[str, typer.Option(help="Its desired change along the path, 1/m².")] = "0",
     deg: Annotated[bool, typer.Option("--deg", help="Angles in --q are degrees.")] = False,
-    figure: Annotated[Path | None, typer.Option(help="Draw the conditions into FILE (.svg, .png or .pdf).")] = None,
+    figure: Annotated[
+        Path | None, typer.Option(callback=output_file, help="Draw the conditions into FILE (.svg, .png or .pdf).")
+    ] = None,
     tip: Tip = None,
     base: Base = None,
     as_json: Json = False,

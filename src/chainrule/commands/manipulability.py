@@ -22,6 +22,7 @@ from chainrule.console import (
     say,
     write_figure,
 )
+from chainrule.outputs import output_file
 
 
 @app.command()
@@ -32,10 +33,12 @@ def manipulability(
         int | None, typer.Option(help="How many boxes the proof may examine; some seconds' worth when left out.")
     ] = None,
     figure: Annotated[
-        Path | None, typer.Option(help="Draw the map of H over two joints: a .svg, .png or .pdf file.")
+        Path | None,
+        typer.Option(callback=output_file, help="Draw the map of H over two joints: a .svg, .png or .pdf file."),
     ] = None,
     postures: Annotated[
-        Path | None, typer.Option(help="Draw the postures in which H is largest (planar arms), likewise.")
+        Path | None,
+        typer.Option(callback=output_file, help="Draw the postures in which H is largest (planar arms), likewise."),
     ] = None,
     tip: Tip = None,
     base: Base = None,

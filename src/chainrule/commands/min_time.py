@@ -22,6 +22,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError
+from chainrule.outputs import output_file
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -51,7 +52,9 @@ def min_time(
         bool, typer.Option("--turns", help="A goal of --to may be reached at any full turn (--pose always is).")
     ] = False,
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
-    figure: Annotated[Path | None, typer.Option(help="Draw the profiles into FILE (.svg, .png or .pdf).")] = None,
+    figure: Annotated[
+        Path | None, typer.Option(callback=output_file, help="Draw the profiles into FILE (.svg, .png or .pdf).")
+    ] = None,
     tip: Tip = None,
     base: Base = None,
     as_json: Json = False,

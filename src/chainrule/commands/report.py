@@ -19,14 +19,15 @@ from chainrule.console import (
     progressing,
     say,
 )
-from chainrule.errors import InputError
+from chainrule.outputs import output_file
 
 
 @app.command()
 def report(
     arm: ArmName,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="The HTML file; ARM's name when left out.")
+        Path | None,
+        typer.Option("--output", "-o", callback=output_file, help="The HTML file; ARM's name when left out."),
     ] = None,
     show_it: Annotated[bool, typer.Option("--open", help="Open it in the browser.")] = False,
     tip: Tip = None,
@@ -43,8 +44,7 @@ def report(
 
     loaded = load_arm(arm, tip, base)
     path = output or Path(f"{loaded.name}.html")
-    if path.is_dir():
-        raise InputError(f"{path} is a folder; a file is accepted")
+    output_file(path)
     with progressing() as progress:
         written = reports.write(loaded, path, progress)
     if as_json:

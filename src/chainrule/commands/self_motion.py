@@ -25,6 +25,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError, shown
+from chainrule.outputs import output_file
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -60,12 +61,16 @@ def self_motion(
         str | None, typer.Option(help="closed form, sweep, continuation or eigenvector; the best one when left out.")
     ] = None,
     points: Annotated[int, typer.Option(help="Points of each curve, in --csv and --json.")] = 91,
-    figure: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw it into a .svg, .png or .pdf file.")] = None,
+    figure: Annotated[
+        Path | None, typer.Option(metavar="FILE", callback=output_file, help="Draw it into a .svg, .png or .pdf file.")
+    ] = None,
     animation: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="The arm moving along a curve, as a .gif file.")
+        Path | None,
+        typer.Option(metavar="FILE", callback=output_file, help="The arm moving along a curve, as a .gif file."),
     ] = None,
     csv: Annotated[
-        Path | None, typer.Option("--csv", metavar="FILE", help="Points of all curves: curve, s, joints, H.")
+        Path | None,
+        typer.Option("--csv", metavar="FILE", callback=output_file, help="Points of all curves: curve, s, joints, H."),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
     tip: Tip = None,

@@ -23,6 +23,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError, shown
+from chainrule.outputs import output_file
 
 if TYPE_CHECKING:
     from chainrule.speed_ratio import Leading
@@ -39,7 +40,9 @@ def speed_ratios(
         str, typer.Option(help="The leading joint: 1, 2, 3, or auto for the one that moves most.")
     ] = "1",
     deg: Annotated[bool, typer.Option("--deg", help="Angles in --q are degrees.")] = False,
-    figure: Annotated[Path | None, typer.Option(help="Draw the paths into FILE (.svg, .png or .pdf).")] = None,
+    figure: Annotated[
+        Path | None, typer.Option(callback=output_file, help="Draw the paths into FILE (.svg, .png or .pdf).")
+    ] = None,
     tip: Tip = None,
     base: Base = None,
     as_json: Json = False,

@@ -21,6 +21,7 @@ from chainrule.console import (
     say,
     write_figure,
 )
+from chainrule.outputs import output_file
 
 
 @app.command()
@@ -30,7 +31,8 @@ def workspace(
         str | None, typer.Option("--at", metavar="X,Y", help="A point, in m: which orientations the tip has there.")
     ] = None,
     figure: Annotated[
-        Path | None, typer.Option("--figure", metavar="FILE", help="Draw it into a .svg, .png or .pdf file.")
+        Path | None,
+        typer.Option("--figure", metavar="FILE", callback=output_file, help="Draw it into a .svg, .png or .pdf file."),
     ] = None,
     tip: Tip = None,
     base: Base = None,

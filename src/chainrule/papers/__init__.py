@@ -1,6 +1,7 @@
 """The papers chainrule rests on, recomputed: each quantity a paper prints, beside ours, with the difference explained.
 
-To add a paper: write a module here with a function ``rows()``, and name it in :data:`PAPERS`.
+To add a paper: write a module here with a function ``rows(progress)``, perhaps one ``figures()``, and name it in
+:data:`PAPERS`.
 """
 
 from __future__ import annotations
@@ -15,15 +16,14 @@ from chainrule.errors import InputError, shown
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Verdict = Literal["agrees", "proved", "refined", "special case", "corrected", "DISAGREES"]
+Verdict = Literal["agrees", "misprint", "true under a condition", "not reproducible", "DISAGREES"]
 
-#: What each verdict means; only the last is a failure.
+#: What each verdict means; only the last is a failure. All but the first have a note that says what is meant.
 VERDICTS: dict[Verdict, str] = {
-    "agrees": "the same to the digits the paper prints",
-    "proved": "SymPy shows that the two are equal",
-    "refined": "the paper's value to its own accuracy, ours to more digits",
-    "special case": "right where the paper uses it, not in general",
-    "corrected": "the paper is wrong here; the note says why",
+    "agrees": "ours is the same: to the digits the paper prints, or by proof",
+    "misprint": "the paper errs; the note gives the corrected form",
+    "true under a condition": "right under the condition that the note states, not in general",
+    "not reproducible": "the paper leaves out what the note names, so that there is nothing to compare with",
     "DISAGREES": "a difference that nothing explains",
 }
 
@@ -73,9 +73,10 @@ class Row:
 
 @dataclass(frozen=True)
 class Paper:
-    """A paper: its key, how it is cited, what of it is recomputed, and the module that does it."""
+    """A paper: its key, a short title, how it is cited, what of it is recomputed, and the module that does it."""
 
     key: str
+    title: str
     citation: str
     scope: str
     module: str
@@ -87,12 +88,14 @@ PAPERS: dict[str, Paper] = {
     for paper in (
         Paper(
             "deluca",
+            "De Luca 2012",
             "A. De Luca, Robotics I, written exam of 11 January 2012, with solutions",
             "exercises 1 and 2 and the bonus exercise",
             "chainrule.papers.deluca",
         ),
         Paper(
             "ambike",
+            "Ambike, Schmiedeler, Stanišić 2010",
             "S. Ambike, J. P. Schmiedeler, M. M. Stanišić, Using Redundancy in Serial Planar Mechanisms to Improve "
             "Output-Space Tracking Accuracy, 2010",
             "equations (3) to (9), both examples, figures 1 and 2, and what the paper claims",
@@ -100,19 +103,22 @@ PAPERS: dict[str, Paper] = {
         ),
         Paper(
             "baili",
+            "Baili, Wenger, Chablat 2004",
             "M. Baili, P. Wenger, D. Chablat, Kinematic Analysis of a Family of 3R Manipulators, Problems of Mechanics "
             "15(2), 2004",
-            "equations (1) to (7), figures 2 and 7, the five domains, and what the paper claims",
+            "equations (1) to (7), figures 2 to 7, the five domains, and what the paper claims",
             "chainrule.papers.baili",
         ),
         Paper(
             "lenarcic",
+            "Lenarčič 2002",
             "J. Lenarčič, Some considerations on the self-motion curves of a planar 3R manipulator, 2002",
-            "the regions and lengths of figures 2 and 4, the method (8) to (18), and what the paper claims",
+            "equations (4) to (21), figures 2 to 5, and what the paper claims",
             "chainrule.papers.lenarcic",
         ),
         Paper(
             "sanchez",
+            "Sanchez 2003",
             "E. A. Sanchez, Singularity Avoidance for an Eight Degrees of Freedom Serial Manipulator, thesis, 2003",
             "chapters 2 to 5 as far as page 82, figures 5.1 to 5.32, and what the thesis claims",
             "chainrule.papers.sanchez",
@@ -159,9 +165,9 @@ def shown_equal(where: str, quantity: str, printed: str, equal: bool, how: str, 
         where,
         quantity,
         printed,
-        "the same" if equal else "not the same",
+        "the same, proved" if equal else "not the same",
         None,
-        "proved" if equal else "DISAGREES",
+        "agrees" if equal else "DISAGREES",
         how,
         note,
     )
@@ -179,7 +185,7 @@ def claim(
 
 
 def figures(key: str) -> dict[str, Figure]:
-    """The figures of a paper drawn anew, by name; none for papers whose figures other commands draw.
+    """The figures of a paper drawn anew, by name.
 
     Raises:
         InputError: an unknown paper; the message lists the known ones.

@@ -40,7 +40,7 @@ def _sextic() -> Row:
         "sextic",
         "v³ times a cubic on (5) and (6)" if reduces else "not reducible",
         None,
-        "proved" if reduces else "DISAGREES",
+        "agrees" if reduces else "DISAGREES",
         "derive.speed_ratio_4.reduction()",
         "with v = r′·T it is ρv³ − T×r‴ + 3κv(T·r″) = 0; at unit tip speed v is 1",
     )
@@ -67,10 +67,10 @@ def _twelve() -> Row:
     return Row(
         WHERE,
         "common points of the quadratic and the sextic equation",
-        "not counted",
+        "2 × 6",
         f"{degrees[0]} = 3 × {degrees[1]} + {degrees[2]}" if good else f"{degrees}",
         None,
-        "proved" if good else "DISAGREES",
+        "agrees" if good else "DISAGREES",
         "resultants of derive.speed_ratio_4.paper_system(arm, numbers), an exact 4R arm",
         "two stationary points (v = 0) count threefold and move nothing; six solutions are left",
     )
@@ -85,7 +85,7 @@ def _all_solutions() -> list[Row]:
     counts = Counter(result.count for result in found)
     proved = sum(result.certified for result in found)
     text = ", ".join(f"{count} in {counts[count]}" for count in sorted(counts))
-    verdict: Verdict = "corrected" if proved == ARMS and set(counts) <= {0, 2, 4, 6} else "DISAGREES"
+    verdict: Verdict = "true under a condition" if proved == ARMS and set(counts) <= {0, 2, 4, 6} else "DISAGREES"
     met = sum(counts[count] for count in counts if count > 0)
     return [
         Row(
@@ -96,7 +96,8 @@ def _all_solutions() -> list[Row]:
             None,
             verdict,
             "speed_ratios_4(arm, q, tangent, curvature, curvature_rate)",
-            "elimination leaves one polynomial of degree six, whose real roots are isolated",
+            "if the three equations are solved as they stand; elimination leaves one polynomial of degree six, whose "
+            "real roots are isolated",
         ),
         Row(
             WHERE,
@@ -104,9 +105,9 @@ def _all_solutions() -> list[Row]:
             "stated in general",
             f"in {met} of {ARMS} cases",
             None,
-            "special case" if 0 < met < ARMS else "DISAGREES",
+            "true under a condition" if 0 < met < ARMS else "DISAGREES",
             "speed_ratios_4(...).count",
-            "elsewhere no real solution exists, and the nearest is given instead",
+            "where a real solution exists; elsewhere the nearest is given",
         ),
     ]
 
@@ -145,7 +146,7 @@ def _second_example() -> Row:
         "0.6812, the best possible",
         f"{-path[1]:.10g} with second-order ratios",
         None,
-        "special case" if error < 1e-9 else "DISAGREES",
+        "true under a condition" if error < 1e-9 else "DISAGREES",
         "motion_ratios(load('ambike_3r'), radians([-14, -40, -205]), [0.9439, 0.3304], -1)",
         "0.6812 is the best of first-order coordination; one linear equation in q″ gives the curvature itself",
     )

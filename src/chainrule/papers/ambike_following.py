@@ -6,6 +6,7 @@ Its two figures, and its claims over many random arms, postures and paths instea
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from chainrule.following import Comparison, Loops, Study, compare, study, study_
 from chainrule.papers import Row
 from chainrule.paths import Circle, Ellipse, Path
 from chainrule.stretches import Method
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 #: The postures (deg) and tangents of the two examples; both turn right, with curvature 1.
 EXAMPLES = {
@@ -35,6 +39,17 @@ def example(figure: str) -> Comparison:
     """
     q, tangent = EXAMPLES[figure]
     return compare(load("ambike_3r"), np.radians(q), tangent, -1.0, ERROR, methods=_BOTH)
+
+
+def figures() -> dict[str, Figure]:
+    """Both figures: the paths and their centres of curvature until the position error reaches 0.025."""
+    from chainrule.plot.following import draw_stretches
+
+    arm = load("ambike_3r")
+    return {
+        figure.replace(" ", "-"): draw_stretches(arm, np.radians(q), tangent, -1.0, example(figure))
+        for figure, (q, tangent) in EXAMPLES.items()
+    }
 
 
 def rows_following(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
@@ -82,7 +97,7 @@ def _longer(studies: list[Study]) -> Row:
         "in both examples",
         f"{_percent(1.0 - facts[0]['worse'])} of {CASES} random arms",
         None,
-        "special case",
+        "true under a condition",
         f"following.study({CASES}, 0.025, seed=1)",
         f"it makes the error in s² vanish and leaves that in s³ as it is: less far than the pseudoinverse in {worse} "
         f"of cases where the position error may be 0.025, 0.005, 0.0005; median travel {medians} times its travel",
@@ -97,7 +112,7 @@ def _nearest(entry: Study) -> Row:
         "stated",
         f"median gain {facts['median_not_met']:.4g}",
         None,
-        "special case",
+        "true under a condition",
         f"following.study({CASES}, 0.025, seed=1)",
         f"right to second order, but the gain over the pseudoinverse is almost nil there (where Δ > 0 its median is "
         f"{facts['median_met']:.3g}), and in {_percent(facts['worse_not_met'])} of cases it is a loss",
@@ -112,7 +127,7 @@ def _root(entry: Study) -> Row:
         "stated by an example",
         f"in {facts['two_roots'] - facts['better_root_missed']} of {facts['two_roots']} cases",
         None,
-        "special case",
+        "true under a condition",
         f"following.study({CASES}, 0.025, seed=1)",
         "the sign of the two errors and the terms of higher order decide the rest",
     )
@@ -121,14 +136,14 @@ def _root(entry: Study) -> Row:
 def _second_term(studies: list[Study]) -> Row:
     shares = ", ".join(_percent(entry.to_dict()["winner_predicted"]) for entry in studies)
     return Row(
-        "beyond the paper",
-        "speed ratio or pseudoinverse: the offset's terms in s² and s³, with their signs, tell which goes farther",
-        "not considered",
-        f"in {shares}",
+        "section 5",
+        "higher-order path information yields paths that track the desired one more closely",
+        "second order, always",
+        f"the offset's terms in s² and s³, with their signs, tell which method goes farther in {shares}",
         None,
-        "refined",
+        "true under a condition",
         f"following.study({CASES}, tolerance, seed=1)",
-        "for position errors of 0.025, 0.005, 0.0005",
+        "where those two terms say so; for position errors of 0.025, 0.005, 0.0005",
     )
 
 
@@ -137,14 +152,17 @@ def _ahead(studies: list[Study]) -> Row:
     never = all(fact["look_ahead_worse"] == 0.0 for fact in facts)
     medians = ", ".join(f"{fact['look_ahead_median']:.3g}" for fact in facts)
     return Row(
-        "beyond the paper",
-        "trying the candidates of both methods and of the two-term rule: never worse than the better of them",
-        "not considered",
-        f"median travel {medians} times the pseudoinverse's",
+        "section 5",
+        "less feedback is required",
+        "with the speed ratio alone",
+        f"median travel {medians} times the pseudoinverse's, never less"
+        if never
+        else "less than the pseudoinverse in some cases",
         None,
-        "refined" if never else "DISAGREES",
+        "true under a condition" if never else "DISAGREES",
         f"following.study({CASES}, tolerance, seed=1)",
-        "for position errors of 0.025, 0.005, 0.0005",
+        "in every case if the candidates of both methods and of the two-term rule are tried; for position errors of "
+        "0.025, 0.005, 0.0005",
     )
 
 
@@ -157,7 +175,7 @@ def _updates(name: str, path: Path) -> Row:
         "stated",
         f"fewer updates in {_percent(facts['fewer'])}, median {facts['median_ratio']:.3g} of the pseudoinverse's",
         None,
-        "special case" if facts["more"] else "agrees",
+        "true under a condition" if facts["more"] else "agrees",
         f"following.study_paths(path, {LOOPS}, 0.005, seed=1)",
         f"more updates in {_percent(facts['more'])} of {LOOPS} random arms" if facts["more"] else "",
     )

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
+from chainrule.arm import load
 from chainrule.cuspidality.classify import classify_orthogonal_3r, topology_orthogonal_3r
 from chainrule.cuspidality.cusps import certified_cusps
-from chainrule.cuspidality.designs import orthogonal_3r
+from chainrule.cuspidality.designs import orthogonal_3r, regional_3r
 from chainrule.cuspidality.domains import exact_domain
 from chainrule.derive import orthogonal_designs as derived
 from chainrule.derive.orthogonal_3r import determinant, orthogonal_chain
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Expression = Any
-ARM, CASES, CONDITION, BEYOND = "section II", "section III", "section IV", "beyond the paper"
+ARM, CASES, CONDITION = "section I", "section III", "section IV"
 
 #: One design (d2, d3, d4, r2) inside each domain; 2 and 3 are those of figure 2.
 INSIDE = {
@@ -35,14 +36,15 @@ INSIDE = {
     4: (1, 2, 6, "0.5"),
     5: (1, "0.5", 3, "0.5"),
 }
-#: Cusps of the five cases, as the paper has them.
+#: Cusps of the five cases, as the paper has them, and the figures that show them.
 PRINTED = {1: "0", 2: "4", 3: "2", 4: "4", 5: "0"}
+SHOWN = {1: "figure 3", 2: "figure 4", 3: "figure 2 (b)", 4: "figure 5", 5: "figure 6"}
 
 
 def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
     """The paper's formulas, figures, domains and claims, and what lies beyond."""
     progress("cuspidal arms: determinant and figures")
-    found = _determinant() + _figures()
+    found = [_puma(), *_determinant(), *_figures()]
     progress("cuspidal arms: the separating surfaces, by SymPy")
     found += _surfaces()
     progress("cuspidal arms: domains and cusps, exactly")
@@ -50,10 +52,22 @@ def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]
     progress("cuspidal arms: condition (7)")
     found += _condition()
     progress("cuspidal arms: nodes and topologies")
-    return tuple(found + _beyond())
+    return tuple(found + _figure_7() + _topologies())
 
 
 # ---- section II --------------------------------------------------------------------------------------------------
+
+
+def _puma() -> Row:
+    design = regional_3r(load("puma560"))
+    return claim(
+        ARM,
+        "an arm with a vertical axis and two parallel ones after it, like the Puma",
+        "always noncuspidal",
+        "not cuspidal: " + ", ".join(design.nongeneric) if not design.cuspidal else "cuspidal",
+        design.cuspidal is False,
+        "regional_3r(load('puma560')).cuspidal, .nongeneric",
+    )
 
 
 def _determinant() -> list[Row]:
@@ -71,7 +85,7 @@ def _determinant() -> list[Row]:
             missing,
             "derive.orthogonal_3r.determinant()",
             "the factor d4 is missing: as printed det J has the unit m² instead of m³; the singularities are the same",
-            "corrected",
+            "misprint",
         )
     ]
 
@@ -158,7 +172,7 @@ def _surfaces() -> list[Row]:
             all(never),
             "derive.orthogonal_designs.false_double_root()",
             "",
-            "proved",
+            "agrees",
         ),
     ]
 
@@ -169,14 +183,16 @@ def _domains() -> list[Row]:
         design = exact_domain(*lengths)
         cusps = certified_cusps(lengths).number
         row = compared(
-            CASES,
-            f"cusps in domain {number}",
+            SHOWN[number],
+            f"cusps in case {number}",
             PRINTED[number],
             float(cusps),
             f"orthogonal_3r({', '.join(map(str, lengths))}, exact=True).cusps()",
         )
         found.append(
-            row if design.number == number else Row(CASES, row.quantity, row.paper, "", None, "DISAGREES", row.how)
+            row
+            if design.number == number
+            else Row(SHOWN[number], row.quantity, row.paper, "", None, "DISAGREES", row.how)
         )
     counts = {}
     for number, lengths in INSIDE.items():
@@ -203,18 +219,62 @@ def _domains() -> list[Row]:
             f"domains {sides[0]} and {sides[1]}",
             sides == [3, 5],
             "exact_domain(1, 1/2, d4, 1/2), d4 = 0.70 and 0.71",
-            "C4 exists for d3 < d2 only, where domain 4 has no part",
-            "corrected",
+            "cases 3 and 5: C4 exists for d3 < d2 only, where domain 4 has no part",
+            "misprint",
         )
     )
     return found
 
 
+def _figure_7() -> list[Row]:
+    """The section r2 = 1: its domains, and that each printed curve is the border between two of them."""
+    d3, d4 = np.meshgrid(np.linspace(0.01, 4.0, 200), np.linspace(0.01, 4.0, 200))
+    met = sorted(set(classify_orthogonal_3r(1.0, d3, d4, 1.0).ravel().tolist()) - {0})
+    x = np.linspace(0.05, 3.95, 79)
+    a, b = np.hypot(x + 1.0, 1.0), np.hypot(x - 1.0, 1.0)
+    with np.errstate(divide="ignore"):
+        slanted = x / np.abs(x - 1.0) * b
+    square = x**2 + 1.0
+    curves = {
+        "C1": np.sqrt(0.5 * (square - (square**2 - x**2 + 1.0) / (a * b))),
+        "C2": x / (1.0 + x) * a,
+        "C3": np.where(x > 1.0, slanted, np.nan),
+        "C4": np.where(x < 1.0, slanted, np.nan),
+    }
+    found = {}
+    for name, y in curves.items():
+        known = np.isfinite(y)
+        sides = [classify_orthogonal_3r(1.0, x[known], y[known] + step, 1.0) for step in (-1e-6, 1e-6)]
+        pairs = sorted(set(zip(*(side.tolist() for side in sides), strict=True)))
+        found[name] = " and ".join(map(str, pairs[0])) if len(pairs) == 1 else "several"
+    expected = {"C1": "1 and 2", "C2": "2 and 3", "C3": "3 and 4", "C4": "3 and 5"}
+    return [
+        claim(
+            "figure 7",
+            "domains in the section r2 = 1",
+            "1, 2, 3, 4, 5",
+            ", ".join(map(str, met)),
+            met == [1, 2, 3, 4, 5],
+            "classify_orthogonal_3r(1, d3, d4, 1) on a grid",
+        ),
+        claim(
+            "figure 7",
+            "what the curves (2), (4), (5), (6) separate there",
+            "1 and 2, 2 and 3, 3 and 4, 4 and 5",
+            ", ".join(found.values()),
+            found == expected,
+            "classify_orthogonal_3r(1, d3, d4 +- 1e-6, 1) along each curve",
+            "the last is 3 and 5, as the row before equation (6) says",
+            "misprint",
+        ),
+    ]
+
+
 # ---- section IV --------------------------------------------------------------------------------------------------
 
 
-def printed_condition(d2: Any, d3: Any, d4: Any, r2: Any) -> Any:
-    """Condition (7) as the paper prints it, for arrays of designs.
+def printed_condition(d2: Any, d3: Any, d4: Any, r2: Any, corrected: bool = False) -> Any:
+    """Condition (7) as the paper prints it, for arrays of designs; or corrected, with the numerator of (2).
 
     Example:
         >>> bool(printed_condition(1.0, 2.0, 1.5, 1.0))
@@ -222,7 +282,8 @@ def printed_condition(d2: Any, d3: Any, d4: Any, r2: Any) -> Any:
     """
     square = d3**2 + r2**2
     root = np.sqrt((d3 + d2) ** 2 + r2**2) * np.sqrt((d3 - d2) ** 2 + r2**2)
-    first = d4**2 > 0.5 * (square - (square**2 - square * d2**2) / root)
+    numerator = square**2 - (d3**2 - r2**2 if corrected else square) * d2**2
+    first = d4**2 > 0.5 * (square - numerator / root)
     with np.errstate(divide="ignore", invalid="ignore"):
         last = d4 < d3 / (d2 - d3) * np.sqrt((d3 - d2) ** 2 + r2**2)
     return first & ((d3 >= d2) | last)
@@ -236,6 +297,7 @@ def _condition() -> list[Row]:
     true = np.isin(domains, (2, 3, 4))
     printed = printed_condition(1.0, d3, d4, r2)
     missed, wrong = int((true & ~printed).sum()), int((printed & ~true).sum())
+    left = int((true != printed_condition(1.0, d3, d4, r2, corrected=True)).sum())
     example = lengths[np.flatnonzero(true & ~printed)[0]].round(2).tolist()
     cusps = certified_cusps((1, *(str(x) for x in example))).number
     judged = bool(printed_condition(1.0, *example))
@@ -251,17 +313,18 @@ def _condition() -> list[Row]:
             bool(never_larger),
             "derive.orthogonal_designs.printed_numerator()",
             "the printed one is smaller by 2 r2² d2², so that its bound on d4 is higher",
-            "corrected",
+            "misprint",
         ),
         claim(
             "condition (7)",
             "a necessary and sufficient condition",
             "yes",
             f"sufficient only: {missed / int(true.sum()):.3f} of the cuspidal arms missed, {wrong} others called so",
-            missed > 0 and wrong == 0,
+            missed > 0 and wrong == 0 and left == 0,
             "printed_condition(...) against classify_orthogonal_3r(...), 200000 designs up to 3 d2",
-            "how many are missed depends on where one looks; with r2 near 0 none",
-            "corrected",
+            f"with the numerator of (2) it is both: {left} of the designs are judged wrongly; how many the printed one "
+            "misses depends on where one looks, with r2 near 0 none",
+            "misprint",
         ),
         claim(
             "condition (7)",
@@ -270,8 +333,8 @@ def _condition() -> list[Row]:
             f"cuspidal: {cusps} cusps, counted exactly",
             cusps > 0 and not judged,
             "orthogonal_3r(..., exact=True).cusps()",
-            "an arm that the printed condition misses",
-            "corrected",
+            "an arm that the printed condition misses, and the corrected one does not",
+            "misprint",
         ),
         claim(
             "condition (7)",
@@ -280,8 +343,8 @@ def _condition() -> list[Row]:
             "never cuspidal" if not flat.cuspidal else "cuspidal",
             not flat.cuspidal and len(flat.cusps()) == 0,
             "orthogonal_3r(1, 2, 1.5, 0, exact=True).cuspidal",
-            "r2 != 0 is a hypothesis of the theorem",
-            "corrected",
+            "for r2 other than 0, a hypothesis of the theorem",
+            "true under a condition",
         ),
         _posture_changes(),
     ]
@@ -304,13 +367,14 @@ def _posture_changes() -> Row:
     )
 
 
-# ---- beyond ------------------------------------------------------------------------------------------------------
+# ---- topologies ------------------------------------------------------------------------------------------------------
 
 
-def _beyond() -> list[Row]:
+def _topologies() -> list[Row]:
     rng = np.random.default_rng(1)
     lengths = rng.uniform(0.0, 3.0, (200_000, 3))
     topologies = topology_orthogonal_3r(1.0, *lengths.T)
+    second = set(topologies[classify_orthogonal_3r(1.0, *lengths.T) == 2].tolist()) - {0}
     met = sorted(set(topologies.tolist()) - {0})
     seen = {}
     for topology in met:
@@ -321,15 +385,23 @@ def _beyond() -> list[Row]:
     expected = [(0, 0), (4, 2), (4, 0), (4, 2), (2, 1), (2, 3), (4, 4), (0, 0), (0, 2)]
     return [
         claim(
-            BEYOND,
-            "topologies of the workspace, cusps/nodes",
-            "five cases by cusps; other instances of case 2 are mentioned",
-            f"nine: {text}",
+            CASES,
+            "topologies of the workspace",
+            "five cases",
+            f"nine, by cusps/nodes: {text}",
             list(seen.values()) == expected,
             "topology_orthogonal_3r(...), and orthogonal_3r(..., exact=True).cusps(), .nodes() of one arm of each",
-            "the surfaces (A - B)/2, d3 and (A + B)/2 of the nodes cut the five domains further",
-            "refined",
-        )
+            "if cusps alone are counted; the surfaces (A - B)/2, d3 and (A + B)/2 of the nodes cut the domains further",
+            "true under a condition",
+        ),
+        claim(
+            "after equation (3)",
+            "instances of case 2",
+            "figure 4 and two others",
+            f"{len(second)}",
+            len(second) == 3,
+            "topology_orthogonal_3r(...) of the designs in domain 2",
+        ),
     ]
 
 

@@ -6,12 +6,12 @@ The paper's values and formulas are typed here as the paper prints them; ours co
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import sympy as sp
 
-from chainrule.arm import load, planar_3r
+from chainrule.arm import Arm, load, planar_3r
 from chainrule.derive import catalogue, planar, rest_to_rest
 from chainrule.derive.planar_3r import closed_minors, singular_set
 from chainrule.derive.program import closed_form
@@ -19,6 +19,9 @@ from chainrule.goals import FastestMove, fastest, postures
 from chainrule.manipulability import max_manipulability
 from chainrule.papers import Row, compared, shown_equal
 from chainrule.workspaces import dexterous_rings, ring, workspace
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Expression = Any
 EXERCISE, MOTION, BONUS = "exercise 1", "exercise 2", "bonus exercise"
@@ -47,6 +50,15 @@ def _workspaces() -> list[Row]:
         compared(EXERCISE, "primary workspace, outer radius R1", "1.75", outer, f"{how}.primary", unit=" m"),
         compared(EXERCISE, "secondary workspace, inner radius r2", "0.75", rings[0][0], f"{how}.secondary", unit=" m"),
         compared(EXERCISE, "secondary workspace, outer radius R2", "1.25", rings[0][1], f"{how}.secondary", unit=" m"),
+    ]
+    found += [
+        compared(
+            EXERCISE, "auxiliary workspace, inner radius ra", "0.5", ring([1.0, 0.5])[0], "ring([1, 0.5])", unit=" m"
+        ),
+        compared(
+            EXERCISE, "auxiliary workspace, outer radius Ra", "1.5", ring([1.0, 0.5])[1], "ring([1, 0.5])", unit=" m"
+        ),
+        compared(EXERCISE, "inner hole for equal lengths", "0", ring([1.0, 1.0, 1.0])[0], "ring([1, 1, 1])", unit=" m"),
     ]
     triples = np.random.default_rng(0).uniform(0.0, 2.0, (1000, 3))
     worst = max(abs(ring(triple)[0] - _inner_radius(*triple)) for triple in triples)
@@ -83,9 +95,9 @@ def _secondary_formula() -> Row:
         f"[{printed[0]:.4g}, {printed[1]:.4g}] m",
         f"{text} m",
         None,
-        "special case" if special else "DISAGREES",
+        "true under a condition" if special else "DISAGREES",
         "dexterous_rings([1, 0.9, 0.5])",
-        "right for the paper's arm; where the last link is longer than l1 - l2, a disc about the base is added",
+        "for l1 > l2 and l3 < l1 - l2, as in the paper; where the last link is longer, a disc about the base is added",
     )
 
 
@@ -184,7 +196,7 @@ def _singular(found: tuple[dict[Expression, Expression], ...], q2: Expression, q
         "{0, 0}, {0, ±π}, {±π, 0}, {±π, ±π}",
         text.replace("pi", "π"),
         None,
-        "proved" if ours == printed else "DISAGREES",
+        "agrees" if ours == printed else "DISAGREES",
         "derive.planar_3r.singular_set(arm)",
     )
 
@@ -211,6 +223,12 @@ def _profile_formulas() -> list[Row]:
     ]
 
 
+def _fastest(arm: Arm) -> FastestMove:
+    """The motion of exercise 2."""
+    start, goals = postures(arm, 1.75, 0.0, 0.0), postures(arm, 1.25, 0.5, 0.0)
+    return fastest(start.q[0], goals.q, arm.limits.velocity, arm.limits.acceleration, kinds=arm.kinds)
+
+
 def _fastest_motion() -> list[Row]:
     arm = load("planar_3r")
     start, goals = postures(arm, 1.75, 0.0, 0.0), postures(arm, 1.25, 0.5, 0.0)
@@ -226,7 +244,7 @@ def _fastest_motion() -> list[Row]:
         _all_of("q'_B", ["0", "90", "-90"], np.degrees(goals.q[:1]), how, "°"),
         _all_of("q''_B", ["53.13", "-90", "36.87"], np.degrees(goals.q[1:]), how, "°"),
     ]
-    best = fastest(start.q[0], goals.q, arm.limits.velocity, arm.limits.acceleration, kinds=arm.kinds)
+    best = _fastest(arm)
     how = "fastest(q_A, q_B, V, A, kinds='RRR')"
     for k, (name, times, whole, cases) in enumerate(
         (("T'", ["0", "1.5", "1.75"], "1.75", "d, b, a"), ("T''", ["1.1903", "1.5", "0.8645"], "1.5", "c, b, a"))
@@ -296,6 +314,18 @@ def _optimum() -> list[Row]:
         compared(BONUS, "q2 there", "1.48", at[0], how, unit=" rad"),
         compared(BONUS, "q3 there", "0.24", at[1], how, unit=" rad"),
     ]
+    straight = arm.manipulability([[0.0, a, b] for a in (0.0, np.pi) for b in (0.0, np.pi)])
+    found.append(
+        Row(
+            BONUS,
+            "H at the singular configurations",
+            "0, seen in figures 4 and 5",
+            f"{straight.max():.1g} m² at most",
+            float(straight.max()),
+            "agrees" if straight.max() < 1e-15 else "DISAGREES",
+            "load('planar_3r').manipulability(q)",
+        )
+    )
     near = all(abs(best.q[k + 1] - at[k]) <= step for k in (0, 1)) and 0.0 <= best.value - height[i, j] < 1e-3
     found.append(
         Row(
@@ -304,7 +334,7 @@ def _optimum() -> list[Row]:
             "0.79 m² at (1.48, 0.24)",
             f"{best.value:.10f} m² at ({best.q[1]:.7f}, {best.q[2]:.7f})",
             best.value - float(height[i, j]),
-            "refined" if near else "DISAGREES",
+            "agrees" if near else "DISAGREES",
             "max_manipulability(load('planar_3r'))",
             "the difference is to the grid's largest value",
         )
@@ -317,14 +347,18 @@ def _optimum() -> list[Row]:
             "seen in figures 4 and 5",
             f"global to {max(best.bound / best.value - 1.0, 1e-15):.0e}" if both else "not proved",
             None,
-            "proved" if both else "DISAGREES",
+            "agrees" if both else "DISAGREES",
             "max_manipulability(load('planar_3r'))",
             best.how,
         )
     )
     one, two = (max_manipulability(planar_3r(*[size] * 3)) for size in (1.0, 2.0))
+    twice = max_manipulability(planar_3r(2.0, 1.0, 0.5))
     same = bool(np.allclose(one.q, two.q, atol=1e-6)) and abs(two.value / one.value - 4.0) < 1e-9
-    found.append(
+    scaled = (
+        bool(np.allclose(np.abs(twice.q), np.abs(best.q), atol=1e-6)) and abs(twice.value / best.value - 4.0) < 1e-9
+    )
+    found += [
         Row(
             BONUS,
             "equal lengths l: optimal posture independent of l, H* grows with l²",
@@ -333,9 +367,36 @@ def _optimum() -> list[Row]:
             two.value / one.value - 4.0,
             "agrees" if same else "DISAGREES",
             "max_manipulability(planar_3r(l, l, l))",
-        )
-    )
+        ),
+        Row(
+            BONUS,
+            "only with equal lengths does the optimal posture not depend on the size",
+            "stated",
+            f"l and 2 l: ratio {twice.value / best.value:.9g}, same posture" if scaled else "not so",
+            twice.value / best.value - 4.0,
+            "true under a condition" if scaled else "DISAGREES",
+            "max_manipulability(planar_3r(2, 1, 0.5))",
+            "if the lengths change by different factors; in proportion any arm keeps its posture, and H* grows with l²",
+        ),
+    ]
     return found
+
+
+def figures() -> dict[str, Figure]:
+    """Figures 1 to 6: the workspaces, the fastest motion, H and its maximum."""
+    from chainrule.manipulability import manipulability_map
+    from chainrule.plot.maps import draw_map, draw_optima
+    from chainrule.plot.timing import draw_profiles
+    from chainrule.plot.workspace import draw_workspace
+
+    arm = load("planar_3r")
+    best = max_manipulability(arm)
+    return {
+        "figures-1-2": draw_workspace(arm),
+        "figure-3": draw_profiles(_fastest(arm).move, arm.kinds),
+        "figures-4-5": draw_map(arm, manipulability_map(arm, largest=best)),
+        "figure-6": draw_optima(arm, best),
+    }
 
 
 def _truncated(quantity: str, printed: str, value: float, how: str) -> Row:

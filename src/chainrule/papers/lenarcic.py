@@ -6,14 +6,18 @@ The paper's values are typed here as the paper prints them; ours come from publi
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import sympy as sp
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm, load, planar_3r
-from chainrule.papers import Row, claim, compared
+from chainrule.derive import catalogue, planar
+from chainrule.derive.program import closed_form
+from chainrule.papers import Row, claim, compared, shown_equal
 from chainrule.self_motions.eigenvector import eigenvector
 from chainrule.self_motions.face import self_motion
 from chainrule.self_motions.maps import self_motion_map
@@ -26,15 +30,23 @@ if TYPE_CHECKING:
 Array = NDArray[Any]
 
 BEFORE, METHOD, FIRST, SECOND, OUTLOOK = "section 1", "section 2", "section 3.1", "section 3.2", "section 4"
+LENGTHS, CURVES = "section 3.1, figure 2", "section 3.1, figure 3"
+BORDERS, PLANE = "section 3.2, figure 4", "section 3.2, figure 5"
 #: A value of px in each of the regions A to D of section 3.1, m.
 INSIDE = {"A": 0.1, "B": 0.25, "C": 0.4, "D": 0.7}
+
+
+#: Directions of a target, as complex numbers.
+TURNS = tuple(np.exp(1j * np.array([0.0, 0.4, 2.0, 3.9])))
 
 
 def rows(progress: Callable[[str], None] = lambda line: None) -> tuple[Row, ...]:
     """Every region, number, length and claim of the paper."""
     arm = load("lenarcic_3r")
+    progress("self-motion: the kinematics")
+    found = [*_kinematics(arm), _one_or_two()]
     progress("self-motion: the regions of the first example")
-    found = [*_borders(arm), *_numbers(arm), *_signs(arm), *_lengths(arm), *_special(arm)]
+    found += [*_borders(arm), *_numbers(arm), *_signs(arm), *_lengths(arm), *_special(arm)]
     progress("self-motion: the second example")
     found += _second(arm)
     progress("self-motion: the paper's method")
@@ -48,6 +60,75 @@ def _at(arm: Arm, x: float, task: str = "position", other: float = 0.0) -> SelfM
     return self_motion(arm, [x, other], task=task)
 
 
+# ---- sections 2 and 3: the arm -----------------------------------------------------------------------------------
+
+
+def _kinematics(arm: Arm) -> list[Row]:
+    symbolic = catalogue.symbolic(arm.description.model)
+    q1, q2, q3 = symbolic.inputs[0].symbols
+    d1, d2, d3 = symbolic.inputs[1].symbols
+    tip = closed_form(planar.placement(symbolic, "position"))["position"]
+    printed = [d1 * turn(q1) + d2 * turn(q1 + q2) + d3 * turn(q1 + q2 + q3) for turn in (sp.cos, sp.sin)]
+    same = all(sp.expand(sp.expand_trig(mine - theirs)) == 0 for mine, theirs in zip(tip, printed, strict=True))
+    q = np.random.default_rng(0).uniform(-math.pi, math.pi, (1000, 3))
+    jacobian = np.asarray(arm.jacobian(q))
+    null = np.asarray(arm.null_vector(q))
+    projector = np.eye(3) - np.linalg.pinv(jacobian) @ jacobian
+    moved = float(np.abs(jacobian @ projector).max())
+    values, vectors = np.linalg.eigh(jacobian.mT @ jacobian)
+    unit = null / np.linalg.norm(null, axis=-1, keepdims=True)
+    turned = float(np.abs(np.abs((vectors[..., 0] * unit).sum(axis=-1)) - 1.0).max())
+    rank = np.linalg.matrix_rank(projector, tol=1e-6)
+    straight = np.asarray(arm.jacobian([0.3, 0.0, 0.0]))
+    spare = arm.n - int(np.linalg.matrix_rank(straight))
+    how = "load('lenarcic_3r').jacobian(q), .null_vector(q)"
+    return [
+        shown_equal(
+            "equations (19), (20)", "px and py", "sums of d cos and d sin", same, "derive.planar.placement(arm)"
+        ),
+        claim(
+            "equations (4) to (6)",
+            "J N = 0 with N = I - J⁺J",
+            "stated",
+            f"to {moved:.0g} at 1000 random postures",
+            moved < 1e-12,
+            how,
+        ),
+        claim(
+            "equation (7)",
+            "D = rank(N) = n - rank(J)",
+            "1, more at a singularity",
+            f"{', '.join(map(str, sorted(set(rank.tolist()))))}; {spare} where the links are in line",
+            bool((rank == 1).all()) and spare == 2,
+            how,
+        ),
+        claim(
+            "equation (10)",
+            "e is the eigenvector of JᵀJ of the eigenvalue zero",
+            "stated",
+            f"the null vector, to {turned:.0g}; eigenvalue below {values[..., 0].max():.0g} m²",
+            turned < 1e-9 and float(values[..., 0].max()) < 1e-14,
+            how,
+        ),
+    ]
+
+
+def _one_or_two() -> Row:
+    rng = np.random.default_rng(0)
+    most = 0
+    for lengths in rng.uniform(0.1, 1.0, (200, 3)):
+        targets = rng.uniform(-1.0, 1.0, (200, 2)) * lengths.sum()
+        most = max(most, int(self_motion_map(lengths, targets).number.max()))
+    return claim(
+        "abstract",
+        "curves for a target within reach",
+        "one or two",
+        f"at most {most}, for 200 targets of each of 200 random arms",
+        most == 2,
+        "self_motion_map(lengths, targets).number",
+    )
+
+
 # ---- section 3.1: px and py --------------------------------------------------------------------------------------
 
 
@@ -56,7 +137,7 @@ def _borders(arm: Arm) -> list[Row]:
     how = "singular_radii([0.40, 0.35, 0.25])"
     names = ("a = -d1 + d2 + d3", "b = d1 - d2 + d3", "c = d1 + d2 - d3", "d = d1 + d2 + d3")
     found = [
-        compared(FIRST, name, printed, float(radius), how, unit=" m")
+        compared(LENGTHS, name, printed, float(radius), how, unit=" m")
         for name, printed, radius in zip(names, ("0.2", "0.3", "0.5", "1.0"), radii, strict=True)
     ]
     reordered = np.array([singular_radii(row) for row in ([0.25, 0.4, 0.35], [0.35, 0.25, 0.4])])
@@ -71,7 +152,7 @@ def _borders(arm: Arm) -> list[Row]:
             how,
             "as printed the order holds for d1 > d2 > d3 only; with the links sorted L >= M >= S the radii are "
             "|M + S - L|, L - M + S, L + M - S and L + M + S",
-            "special case",
+            "true under a condition",
         )
     )
     return found
@@ -82,7 +163,7 @@ def _numbers(arm: Arm) -> list[Row]:
     for region, printed in zip("ABCD", (2, 1, 2, 1), strict=True):
         motion = _at(arm, INSIDE[region])
         how = f"self_motion(load('lenarcic_3r'), [{INSIDE[region]:g}, 0]).count"
-        found.append(compared(FIRST, f"closed curves in region {region}", str(printed), float(motion.count), how))
+        found.append(compared(CURVES, f"closed curves in region {region}", str(printed), float(motion.count), how))
     a, c = (_at(arm, INSIDE[region]).components for region in "AC")
     gaps = [abs(pair[0].length - pair[1].length) for pair in (a, c)]
     mirrored = max(_mirror_error(pair) for pair in (a, c))
@@ -94,8 +175,8 @@ def _numbers(arm: Arm) -> list[Row]:
             f"mirror images: lengths differ by {max(gaps):.1g} rad, points by {mirrored:.1g} rad",
             max(gaps) < 1e-10 and mirrored < 1e-9,
             "self_motion(...).components",
-            "they are different curves, q and -q about the direction of the target; only their lengths are identical",
-            "corrected",
+            "they are different curves, q and -q about the direction of the target; their lengths are identical",
+            "true under a condition",
         )
     )
     return found
@@ -130,7 +211,7 @@ def _signs(arm: Arm) -> list[Row]:
                 opposite,
                 f"self_motion(load('lenarcic_3r'), [{INSIDE[region]:g}, 0]).components[0].signs",
                 "the paper names one of the two",
-                "special case",
+                "true under a condition",
             )
         )
     free = [dict(_at(arm, INSIDE[region]).components[0].signs) for region in "BD"]
@@ -169,24 +250,23 @@ def _lengths(arm: Arm) -> list[Row]:
             how,
         ),
         claim(
-            FIRST,
+            LENGTHS,
             "discontinuity of the function s",
             "at a, b and c",
             f"only of the single curve's: the total changes by {jump:.1g} rad over 2e-9 m",
             jump < 1e-3,
             how,
-            "the length of all curves together is continuous",
-            "corrected",
+            "for the curve that the arm is on; the length of all curves together is continuous",
+            "true under a condition",
         ),
         claim(
-            FIRST,
-            "shape of the total length beside a, b and c",
-            "not stated",
+            LENGTHS,
+            "s is steep beside a, b and c",
+            "drawn",
             f"s(a) - s grows with the distance to the power {', '.join(f'{p:.2f}' for p in slopes)}",
             all(0.4 < p < 0.6 for p in slopes),
             how,
             "a cusp like a square root: where two branches meet at an angle, the way round the corner is cut off",
-            "refined",
         ),
     ]
 
@@ -199,6 +279,8 @@ def _exponent(arm: Arm, border: float) -> float:
 
 
 def _special(arm: Arm) -> list[Row]:
+    crossing = self_motion(arm, [float(singular_radii(arm.parameters)[1]), 0.0])
+    ways = sorted(_at(arm, 0.7 * turn.real, other=0.7 * turn.imag).length for turn in TURNS)
     equal = singular_radii([0.3, 0.3, 0.3])  # equal radii once
     collapsed = equal.shape == (2,) and bool(np.abs(equal - (0.3, 0.9)).max() < 1e-15)
     bent = self_motion_map([0.3, 0.3, 0.3], [[0.2, 0.0], [0.6, 0.0]])
@@ -207,24 +289,40 @@ def _special(arm: Arm) -> list[Row]:
     scaled = [_at(a, f * 0.7).length for f, a in ((1.0, arm), (3.0, planar_3r(1.2, 1.05, 0.75)))]
     return [
         claim(
+            "section 2, end",
+            "a singular configuration is a cross of self-motion curves",
+            "stated",
+            f"at b: {crossing.detail}",
+            crossing.status == "singular" and crossing.detail == "figure of eight",
+            "self_motion(arm, [singular_radii(arm.parameters)[1], 0]).detail",
+        ),
+        claim(
+            "section 3",
+            "s depends on the distance of the target alone",
+            "stated",
+            f"s = {ways[0]:.12g} rad at 0.7 m in {len(ways)} directions, to {ways[-1] - ways[0]:.0g}",
+            ways[-1] - ways[0] < 1e-9,
+            "self_motion(load('lenarcic_3r'), [x, y]).length",
+        ),
+        claim(
             FIRST,
             "equal links",
             "two pairs of points collapse into two points",
             f"a = b = c = {equal[0]:g} m, d = {equal[-1]:g} m; {bent.number[0]} curves below a, {bent.number[1]} above",
             collapsed and bent.number.tolist() == [2, 1],
             "singular_radii([0.3, 0.3, 0.3])",
-            "three radii fall into one; the two regions left are as the paper says",
-            "corrected",
+            "three of the four radii fall into one, the fourth stays; the two regions left are as the paper says",
+            "misprint",
         ),
         claim(
             FIRST,
             "px = 0",
-            "left out of region A",
+            "left out: region A is (0, a) and (-a, 0)",
             f"{base.status}: {base.count} curves, joint 1 turns {abs(int(winding[0]))} time",
             base.status == "regular" and base.count == 2 and abs(int(winding[0])) == 1,
             "self_motion(load('lenarcic_3r'), [0, 0])",
-            "nothing is special there: joint 1 turns freely, the other two keep their angles",
-            "refined",
+            "region A is (-a, a): at 0 joint 1 turns freely, the other two keep their angles, and nothing is singular",
+            "misprint",
         ),
         claim(
             SECOND,
@@ -245,13 +343,13 @@ def _second(arm: Arm) -> list[Row]:
     how = "singular_values([0.40, 0.35, 0.25], 0)"
     printed = (("b' = -d1 - d2 + d3", "-0.5"), ("a' = -d1 + d2 + d3", "0.2"), ("a = d1 - d2 + d3", "0.3"), ("b", "1.0"))
     found = [
-        compared(SECOND, name, text, float(value), how, unit=" m")
+        compared(BORDERS, name, text, float(value), how, unit=" m")
         for (name, text), value in zip(printed, values, strict=True)
     ]
     for region, x, count in (("A", 0.28, 2), ("B", 0.6, 1)):
         motion = _at(arm, x, "x_alpha")
         call = f"self_motion(load('lenarcic_3r'), [{x:g}, 0], task='x_alpha').count"
-        found.append(compared(SECOND, f"closed curves in region {region}", str(count), float(motion.count), call))
+        found.append(compared(PLANE, f"closed curves in region {region}", str(count), float(motion.count), call))
     turned = 0.7
     shifted = singular_values(arm.parameters, turned)
     middle = float(shifted.mean())
@@ -265,7 +363,7 @@ def _second(arm: Arm) -> list[Row]:
             right,
             "singular_values([0.40, 0.35, 0.25], 0.7).mean()",
             "d3 for pα = 0 only",
-            "special case",
+            "true under a condition",
         )
     )
     kept = [dict(c.signs) for c in _at(arm, 0.28, "x_alpha").components]
@@ -280,14 +378,14 @@ def _second(arm: Arm) -> list[Row]:
             swapped,
             "self_motion(planar_3r(0.35, 0.40, 0.25), [0.28, 0], task='x_alpha').components[0].signs",
             "the longer of the first two links keeps to one side",
-            "special case",
+            "true under a condition",
         )
     )
     sums = [c.at(np.linspace(0, 1, 100)).sum(axis=1) for c in _at(arm, 0.6, "x_alpha").components]
     flat = max(float(np.ptp(s)) for s in sums)
     found.append(
         claim(
-            SECOND,
+            PLANE,
             "all curves lie in one plane",
             "yes",
             f"q1 + q2 + q3 varies by {flat:.1g} rad",
@@ -304,7 +402,9 @@ def _second(arm: Arm) -> list[Row]:
 def _method(arm: Arm) -> list[Row]:
     motion = _at(arm, INSIDE["D"])
     (curve,) = motion.components
+    began = time.perf_counter()
     run = eigenvector(arm, curve.q[0], gamma=0.001)
+    taken = 1000.0 * (time.perf_counter() - began)
     error = abs(run.length - curve.length) / curve.length
     found = [
         claim(
@@ -315,7 +415,7 @@ def _method(arm: Arm) -> list[Row]:
             run.status == "closed" and abs(float(np.abs(run.q[-1]).max())) < 20.0,
             "eigenvector(arm, q0)",
             "as printed every angle below 2π would gain a turn at every step; the interval meant is (-π, π]",
-            "corrected",
+            "misprint",
         ),
         claim(
             METHOD,
@@ -327,6 +427,18 @@ def _method(arm: Arm) -> list[Row]:
             "the closed form gives the length to 1e-10",
         ),
     ]
+    found.append(
+        claim(
+            "section 2, section 4",
+            "time for a curve with an error below 0.1 %",
+            "a few tens of a millisecond",
+            f"{taken:.0f} ms here with the method, in Python",
+            run.status == "closed",
+            "eigenvector(arm, q0, gamma=0.001)",
+            "neither the computer, nor the program, nor the curve is named",
+            "not reproducible",
+        )
+    )
     start = _at(arm, INSIDE["B"]).components[0].q[0]
     coarse = eigenvector(arm, start, gamma=0.02, k0=5)
     fine = eigenvector(arm, start, gamma=0.001, k0=5)
@@ -353,8 +465,8 @@ def _method(arm: Arm) -> list[Row]:
             f"{bad.status}, {bad.closure / 0.001:.0f}γ after {bad.length / near.length:.2f} times the curve's length",
             lost,
             "eigenvector(arm, q0) at px = 0.5001",
-            "true away from singular targets; stopping within 5γ is also how the method ends, so it can show no more",
-            "corrected",
+            "away from singular targets; stopping within 5γ is also how the method ends, so that it can show no more",
+            "true under a condition",
         ),
         claim(
             METHOD,
@@ -364,8 +476,8 @@ def _method(arm: Arm) -> list[Row]:
             f"{bad.length:.4g} rad instead of {near.length:.4g}",
             lost,
             "eigenvector(arm, q0) at px = 0.5001",
-            "two branches pass each other closer than the drift; continuation with a guard follows the right one",
-            "corrected",
+            "where branches are farther apart than the drift; continuation with a guard follows the right one",
+            "true under a condition",
         ),
     ]
     return found
@@ -410,7 +522,7 @@ def _anthropomorphic() -> list[Row]:
             "the elbow bends to either side, and so does the shoulder's middle joint: four curves, each once round the "
             "line from shoulder to wrist. Eight is the number of the pose task, where the wrist's middle joint adds "
             "its two sides (found from 64 starts for 4R, proved for 7R)",
-            "corrected",
+            "misprint",
         ),
     ]
 
@@ -419,33 +531,33 @@ def _outlook(arm: Arm) -> list[Row]:
     limited = arm.with_limits(position=[(-2.0, 2.0)] * 3)
     motion = self_motion(limited, [INSIDE["C"], 0.0], limits=True)
     arcs = motion.feasible or ()
-    slide = self_motion_slide()
+    slide, scaled = self_motion_slide(), self_motion_slide(0.5)
+    ratio = scaled.length / slide.length
     return [
         claim(
-            OUTLOOK,
-            "joint limits",
-            "joints unlimited",
+            "abstract",
+            "a manipulator possessing joint limits",
+            "the joint angles are unlimited (section 3)",
             f"{len(arcs)} feasible arcs of {sum(c.length for c in arcs):.4g} rad in all, with joints within ±2 rad",
             len(arcs) > 0,
             "self_motion(arm.with_limits(...), [0.4, 0], limits=True).feasible",
-            "not treated by the paper",
-            "refined",
+            "the paper gives no limits and treats none",
+            "not reproducible",
         ),
         claim(
             OUTLOOK,
             "revolute and translational joints together",
             "problematic: the length depends on a scaling factor",
-            f"a PRR arm: {slide.count} curve, length {slide.length:.6g} rad at a stated scale of 1 m per rad",
-            slide.count > 0,
-            "self_motion(planar('PRR', ...), target)",
+            f"a PRR arm: {slide.length:.6g} rad at 1 m per rad, {scaled.length:.6g} rad at 0.5 m per rad",
+            slide.count == scaled.count > 0 and ratio > 1.01,
+            "self_motion(planar('PRR', ...), target, scale=0.5)",
             "the curve itself does not depend on the factor, which is stated with the length",
-            "refined",
         ),
     ]
 
 
-def self_motion_slide() -> SelfMotion:
-    """The self-motion of an arm with a slide, at one target.
+def self_motion_slide(scale: float = 1.0) -> SelfMotion:
+    """The self-motion of an arm with a slide, at one target; ``scale`` m count as one radian.
 
     Example:
         >>> self_motion_slide().status
@@ -453,7 +565,7 @@ def self_motion_slide() -> SelfMotion:
     """
     from chainrule.arm import planar
 
-    return self_motion(planar("PRR", [0.2, 0.35, 0.25]), [0.4, 0.3])
+    return self_motion(planar("PRR", [0.2, 0.35, 0.25]), [0.4, 0.3], scale=scale)
 
 
 def figures() -> dict[str, Figure]:

@@ -78,7 +78,7 @@ def _arm_rows() -> list[Row]:
             shape == (6, 8),
             "load('sanchez_8r').jacobian(q).shape",
             "elsewhere the thesis has 6 x 8 too",
-            "corrected",
+            "misprint",
         ),
     ]
 
@@ -125,7 +125,7 @@ def _theory() -> list[Row]:
             missed[0] < 1e-12 and missed[1] > 0.99,
             "numpy.linalg.lstsq(arm.jacobian(np.zeros(8)), v)",
             "the first of the two sentences means v NOT in R(J)",
-            "corrected",
+            "misprint",
         ),
         _bytes(),
         _slides(),
@@ -143,7 +143,7 @@ def _bytes() -> Row:
         sizes == [4, 8],
         "numpy.dtype('float32').itemsize",
         "16 is about the number of digits of a double",
-        "corrected",
+        "misprint",
     )
 
 
@@ -159,7 +159,7 @@ def _slides() -> Row:
         off < 1e-14,
         "planar('PRR', [0.2, 0.35, 0.25]).jacobian(q, task='position')",
         "it solves J q' = v for any joints; what depends on the choice of units is which solution counts as smallest",
-        "corrected",
+        "misprint",
     )
 
 
@@ -178,7 +178,7 @@ def _statics() -> Row:
         off < 1e-13 and moving > 1.0,
         "arm.inverse_dynamics(q, 0, 0, gravity=(0, 0, 0), wrench=f)",
         f"it is statics: motion and weight need inertia. Ours rests on {masses(arm)}",
-        "special case",
+        "true under a condition",
     )
 
 
@@ -221,7 +221,7 @@ def _law() -> list[Row]:
             "Stepper(arm, Law({'H^(-1/2)': -1}))",
             "the step from one to the other flips the sign of λ; with (4.11), which the thesis uses, negative gains "
             "lower H",
-            "corrected",
+            "misprint",
         ),
         claim(
             "after (4.11)",
@@ -230,8 +230,8 @@ def _law() -> list[Row]:
             f"I - J* J; J* is {shapes[0][0]} x {shapes[0][1]} and Jᵀ {shapes[1][0]} x {shapes[1][1]}: no product",
             shapes[0][1] != shapes[1][0],
             "numpy.linalg.pinv(arm.jacobian(q)).shape",
-            "",
-            "corrected",
+            "the projection onto the null space is I - J* J",
+            "misprint",
         ),
         claim(
             "section 4.2.1",
@@ -251,7 +251,7 @@ def _law() -> list[Row]:
             rest < 1e-9 and abs(_drift() - 0.25) < 0.01,
             "Stepper(arm, Law({'H^(-1/2)': -2}))(q, arm.pose(q), None, dt).q_next",
             "true of the rates; after a step of finite length the tip is off, which feedback takes back",
-            "special case",
+            "true under a condition",
         ),
         claim(
             "(4.14)",
@@ -262,7 +262,7 @@ def _law() -> list[Row]:
             ratio < 1e-12,
             "arm.manipulability_gradient(q)",
             "they need different gains. What follows is for w^(-1/2), which section 5 names, unless it says otherwise",
-            "refined",
+            "agrees",
         ),
     ]
 
@@ -311,7 +311,7 @@ def _paths() -> list[Row]:
             off < 1e-10,
             "load('sanchez_8r').position(q)",
             "in cm the paths would lie within 1 cm of the base; the links of table 2.1 are in cm indeed",
-            "corrected",
+            "misprint",
         ),
         claim(
             "table 5.1",
@@ -321,7 +321,7 @@ def _paths() -> list[Row]:
             across < 1e-15,
             "papers.sanchez_paths.thesis_arc().sample(t)",
             "taken so because pyo would have no use otherwise and vy is 0",
-            "corrected",
+            "misprint",
         ),
         claim(
             "table 5.1",
@@ -331,7 +331,7 @@ def _paths() -> list[Row]:
             spread < 1e-14,
             "papers.sanchez_paths.thesis_ellipse().sample(t)",
             "both semi-axes are rad = 0.3",
-            "corrected",
+            "misprint",
         ),
         claim(
             "table 5.1",
@@ -350,7 +350,7 @@ def _paths() -> list[Row]:
             round(2.0 / COARSE, 4) == 0.0067 and 2.0 / FINE == 0.002,
             "track(arm, path, q, dt=2 / 299)",
             "2 s are not a whole number of steps of 0.0067 s",
-            "refined",
+            "agrees",
         ),
     ]
 

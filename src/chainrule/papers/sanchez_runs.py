@@ -148,7 +148,7 @@ def _arc() -> list[Row]:
             all(1.0 < ratio < 0.5 * gained[name] for name, ratio in slightly.items()),
             how("-.19"),
             "from A the least is still 70 times smaller than with λ = -2",
-            "special case",
+            "true under a condition",
         ),
         claim(
             "figure 5.14",
@@ -175,7 +175,7 @@ def _arc() -> list[Row]:
             more == ["A"],
             how("-.19"),
             "from A only: where the near singularity is only put off the joints hurry past it. " + note,
-            "special case",
+            "true under a condition",
         ),
         claim(
             "figure 5.17",
@@ -226,7 +226,7 @@ def _gains() -> list[Row]:
             _TRACK.format(gain="-20", steps=COARSE),
             "not with w^(-1/2): the step allows for more than ten times the gain. With 1/w, whose gradient is about "
             "ten times as large, -20 is at the edge",
-            "corrected",
+            "true under a condition",
         ),
         claim(
             "figures 5.18, 5.21",
@@ -245,7 +245,7 @@ def _gains() -> list[Row]:
             max(torques[1:]) < 3.0 * torques[0],
             _TRACK.format(gain="-7", steps=FINE),
             f"no dramatic rise from any of the three starts; {note}",
-            "corrected",
+            "not reproducible",
         ),
         claim(
             "figures 5.20, 5.23",
@@ -329,7 +329,7 @@ def _steps() -> list[Row]:
             held.final_position_error < 0.1 * loose.final_position_error,
             "track(..., feedback=10)",
             "the errors of the steps add up unless they are fed back",
-            "refined",
+            "agrees",
         ),
     ]
 
@@ -376,7 +376,7 @@ def _other_paths() -> list[Row]:
             "track(arm, papers.sanchez_paths.thesis_line(), STARTS['L'], gain=-6.1, dt=0.002)",
             "the determinant is larger, but the joints would have to run through their turns: a local law fails here. "
             "Which gain the thesis means is not clear: its list of figures has -.61 once and -6.1 elsewhere",
-            "special case",
+            "true under a condition",
         ),
     ]
 
@@ -414,7 +414,7 @@ def _globally() -> list[Row]:
             through.solved and through.run.peak_rate < 10.0 < line.peak_rate and off < 2e-3,
             how.format(path="line"),
             f"at the samples the tip is on the line, between them within {1000.0 * off:.2g} mm",
-            "refined",
+            "agrees",
         ),
     ]
 
@@ -460,7 +460,7 @@ def _random() -> list[Row]:
             0.0 < near < 0.5,
             how,
             "starts that nobody selected, each holding its own orientation; most never come so near",
-            "special case",
+            "true under a condition",
         ),
         claim(
             "figure 5.12",
@@ -472,7 +472,7 @@ def _random() -> list[Row]:
             how,
             "what the selected starts A, B, C show holds for most starts, not for all: a local law may climb to a "
             "place from which the path leads nearer to a singularity",
-            "special case",
+            "true under a condition",
         ),
         claim(
             "figure 5.13",
@@ -482,7 +482,7 @@ def _random() -> list[Row]:
             0.6 < farther[0] < 0.95 and slower[0] > slower[1],
             how,
             "less is gained by each than with λ = -2, but the joints move less for it",
-            "special case",
+            "true under a condition",
         ),
     ]
     for path in ("ellipse", "line"):
@@ -498,7 +498,7 @@ def _random() -> list[Row]:
                 f"track_batch(arm, thesis_{path}(), random_starts('{path}', {FEWER}), [0, -2], ...)",
                 f"lost: the tip off by {LOST} m or a rate above half a turn in a step. The {path} asks for more than "
                 "the arc does",
-                "special case",
+                "true under a condition",
             )
         )
     return found_rows

@@ -205,9 +205,8 @@ def _offsets(axes: Axes, arm: Arm, path: Path, run: Followed) -> None:
         axes.plot(along, offset, color=style["color"], lw=1.1, zorder=2)
     note = f"{run.updates} updates" if run.status == "finished" else f"{run.status} after {run.updates} updates"
     axes.text(1.0, 1.04, note, transform=axes.transAxes, ha="right", va="bottom", fontsize=9, color=COLOURS["ink"])
-    axes.text(
-        0.0, 1.04, NAMES[run.method], transform=axes.transAxes, ha="left", va="bottom", fontsize=9, color=style["color"]
-    )
+    name = NAMES[run.method]
+    axes.text(0.0, 1.04, name, transform=axes.transAxes, ha="left", va="bottom", fontsize=9, color=COLOURS["ink"])
     axes.set_ylim(-1.15, 1.15)
     axes.yaxis.set_major_locator(FixedLocator([-1.0, 0.0, 1.0]))
     axes.spines[["top", "right"]].set_visible(False)

@@ -17,6 +17,8 @@ from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from chainrule.tables import capitalised
+
 #: Named colours: the light value, which also marks the name in the SVG, so all values differ.
 COLOURS = {
     "ink": "#1c2733",
@@ -31,7 +33,7 @@ COLOURS = {
     "fill_deep": "#a5bfd8",
     "axis_x": "#b0413e",
     "axis_y": "#3f7d4e",
-    "axis_z": "#4a7fd0",
+    "axis_z": "#3568ba",
 }
 
 #: Colour map of every field: monotonic in lightness, so it survives printing in grey.
@@ -101,6 +103,21 @@ def svg(drawing: Figure, key: str, title: str, description: str) -> str:
     return inline(buffer.getvalue(), key, title, description)
 
 
+def titles(drawing: Figure) -> str:
+    r"""What a figure says of itself: its title and those of its panels, as sentences, for those who do not see it.
+
+    Example:
+        >>> drawing, axes = figure(3.0)
+        >>> _ = axes.set_title("One finding\nAnother, which\ngoes on", loc="left")
+        >>> titles(drawing)
+        'One finding. Another, which goes on.'
+    """
+    texts = [drawing.get_suptitle(), *(axes.get_title(loc) for axes in drawing.axes for loc in ("left", "center"))]
+    lines = [re.sub(r"(?<=[^.,:;])\n(?=[A-Z])", ". ", text.strip()) for text in texts if text.strip()]
+    words = [" ".join(line.split()).rstrip(".") for line in lines]
+    return " ".join(f"{capitalised(word)}." for word in dict.fromkeys(words))
+
+
 def inline(text: str, key: str, title: str, description: str) -> str:
     """Matplotlib's SVG made fit to stand in a page beside others."""
     text = text[text.index("<svg") :].strip()
@@ -116,9 +133,12 @@ def inline(text: str, key: str, title: str, description: str) -> str:
     assert opening is not None
     box = re.search(r'viewBox="([^"]*)"', opening.group())
     assert box is not None
+    width = round(float(box.group(1).split()[2]))
+    kind = ' class="wide"' if width > 1.2 * 72.0 * WIDTH else ""
     start = (
-        f'<svg viewBox="{box.group(1)}" role="img" aria-labelledby="{key}-title {key}-desc" '
-        f'preserveAspectRatio="xMidYMid meet">\n<title id="{key}-title">{escape(title)}</title>\n'
+        f'<svg{kind} style="--width:{width}" viewBox="{box.group(1)}" role="img" '
+        f'aria-labelledby="{key}-title {key}-desc" preserveAspectRatio="xMidYMid meet">\n'
+        f'<title id="{key}-title">{escape(title)}</title>\n'
         f'<desc id="{key}-desc">{escape(description)}</desc>'
     )
     return start + text[opening.end() :]

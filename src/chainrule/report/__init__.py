@@ -19,9 +19,11 @@ from typing import Any
 from chainrule.arm import Arm
 from chainrule.checks import Check
 from chainrule.derive.manifest import write_whole
+from chainrule.outputs import output_file
 from chainrule.report.content import Part
 from chainrule.report.context import Context
-from chainrule.report.sections import sections
+from chainrule.report.page import page
+from chainrule.report.sections import SUMMARY, sections
 
 __all__ = ["Report", "build", "html", "write"]
 
@@ -61,7 +63,11 @@ def build(arm: Arm, progress: Progress = lambda line: None) -> Report:
     arm.prepare(progress)
     context = Context(arm, progress)
     chosen = sections(arm)
-    parts = {section.key: section.build(arm, context) for section in chosen}
+    built = {}
+    for section in sorted(chosen, key=lambda section: section.key == SUMMARY):  # what it sums up comes before it
+        built[section.key] = part = section.build(arm, context)
+        context.headlines += [(section.key, section.title, line) for line in part.headlines]
+    parts = {section.key: built[section.key] for section in chosen}
     titles = {section.key: section.title for section in chosen}
     failed = tuple(check for check in context.checks if not check.passed)
     return Report(_page(arm, parts, titles), parts, failed)
@@ -76,37 +82,15 @@ def write(arm: Arm, path: str | os.PathLike[str], progress: Progress = lambda li
     """Write the report to a file, whole or not at all.
 
     Raises:
+        InputError: if the folder does not exist, or the path is a folder.
         OSError: if the file cannot be written.
     """
+    output_file(Path(path))
     report = build(arm, progress)
     write_whole(Path(path), report.html)
     return report
 
 
 def _page(arm: Arm, parts: dict[str, Part], titles: dict[str, str]) -> str:
-    from jinja2 import Environment, PackageLoader, StrictUndefined
-
-    from chainrule.tables import printable, readable
-
-    environment = Environment(
-        loader=PackageLoader("chainrule.report", "templates"),
-        autoescape=True,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        undefined=StrictUndefined,
-    )
-    environment.filters |= {"readable": readable, "printable": printable}
-    page = environment.get_template("page.html.j2")
-    return page.render(arm=arm, parts=parts, titles=titles, version=_version())
-
-
-def _version() -> str:
-    """The installed version; nothing where chainrule runs from a checkout that is not installed."""
-    from importlib.metadata import PackageNotFoundError
-
-    import chainrule
-
-    try:
-        return str(chainrule.__version__)
-    except PackageNotFoundError:
-        return ""
+    foot = "Every number on this page was computed for this arm when the page was written."
+    return page(arm.name, "chainrule report", parts, titles, foot)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from markupsafe import Markup
 
@@ -88,12 +88,82 @@ class Details:
     kind: ClassVar[str] = "details"
 
 
-Block = Prose | Finding | Points | Formula | Formulas | Grid | Picture | Facts | Details
+@dataclass(frozen=True)
+class Headlines:
+    """What the sections found, in plain sentences: key and title of a section, and the sentence."""
+
+    lines: tuple[tuple[str, str, str], ...]
+    kind: ClassVar[str] = "headlines"
+
+
+@dataclass(frozen=True)
+class Subtitle:
+    """A heading inside a section."""
+
+    text: str
+    kind: ClassVar[str] = "subtitle"
+
+
+@dataclass(frozen=True)
+class Claims:
+    """What a paper states beside ours: rows of :class:`chainrule.papers.Row`."""
+
+    caption: str
+    rows: tuple[Any, ...]
+    kind: ClassVar[str] = "claims"
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The arm drawn in one posture of a motion, which a slider moves; see :mod:`chainrule.report.motion`.
+
+    Without scripts it stays the picture of its first posture among others of the motion.
+
+    Attributes:
+        key: starts every id.
+        title: of the picture, for those who do not see it.
+        description: likewise.
+        label: what the slider does.
+        height: of the picture, whose width is 400.
+        base: (x, y) of the arm's base in the picture.
+        tracks: the motions to choose from, as plain values: name, frames, texts, lines of the chart, first posture.
+        chart: what is drawn over the slider's range: its title, ticks and frame.
+        caption: below.
+    """
+
+    key: str
+    title: str
+    description: str
+    label: str
+    height: float
+    base: tuple[float, float]
+    tracks: tuple[dict[str, Any], ...]
+    chart: dict[str, Any]
+    caption: str
+    kind: ClassVar[str] = "motion"
+
+
+Block = (
+    Prose
+    | Finding
+    | Points
+    | Formula
+    | Formulas
+    | Grid
+    | Picture
+    | Facts
+    | Details
+    | Headlines
+    | Subtitle
+    | Claims
+    | Motion
+)
 
 
 @dataclass(frozen=True)
 class Part:
-    """The content of a section, and the numbers in it for machines."""
+    """The content of a section, the numbers in it for machines, and what the summary says of it."""
 
     blocks: tuple[Block, ...]
     data: dict[str, object] = field(default_factory=dict)
+    headlines: tuple[str, ...] = ()

@@ -31,6 +31,8 @@ class Context:
     def __init__(self, arm: Arm, progress: Callable[[str], None] = lambda line: None) -> None:
         self.arm = arm
         self.progress = progress
+        #: What the sections built so far say of themselves for the summary: key, title and sentence.
+        self.headlines: list[tuple[str, str, str]] = []
 
     @cached_property
     def task(self) -> str | None:

@@ -24,6 +24,9 @@ class Section:
     build: Callable[[Arm, Context], Part]
 
 
+#: The section that sums the others up: built last, shown first.
+SUMMARY = "summary"
+
 #: Modules of ``chainrule.report.parts``, in the order of the page.
 ORDER = (
     "summary",

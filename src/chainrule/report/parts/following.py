@@ -74,7 +74,22 @@ def _build(arm: Arm, context: Context) -> Part:
         Picture(Markup(drawn), "Large dots: updates with the pseudoinverse; small ones: looking ahead."),
         Grid(_table(runs)),
     )
-    return Part(blocks, {"path": path.to_dict(), "tolerance": tolerance, "runs": [_facts(run) for run in runs]})
+    return Part(
+        blocks,
+        {"path": path.to_dict(), "tolerance": tolerance, "runs": [_facts(run) for run in runs]},
+        headlines=(_headline(runs),),
+    )
+
+
+def _headline(runs: list[Followed]) -> str:
+    """The section in one sentence, for the summary."""
+    done = {run.method: run.updates for run in runs if run.status == "finished"}
+    if not done:
+        return "On the circle tried, no choice of constant joint rates gets all the way round."
+    best = min(done, key=lambda method: done[method])
+    way = NAMES[best] if best == "look_ahead" else f"the {NAMES[best]}"
+    text = f"Following a circle at constant joint rates takes {done[best]} feedback updates with {way}"
+    return text + (f", {done['pseudoinverse']} with the pseudoinverse." if "pseudoinverse" in done else ".")
 
 
 def _facts(run: Followed) -> dict[str, object]:

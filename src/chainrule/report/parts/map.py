@@ -13,7 +13,7 @@ from chainrule.plot.style import svg
 from chainrule.report.content import Finding, Part, Picture, Prose
 from chainrule.report.context import Context
 from chainrule.report.sections import Section
-from chainrule.tables import posture, readable
+from chainrule.tables import capitalised, posture, readable
 
 
 def _zeros(found: ManipulabilityMap) -> str:
@@ -33,9 +33,11 @@ def _status(arm: Arm, context: Context) -> Finding:
     value = f"{largest.value:.10g}{size.suffix}"
     count = len(largest.others)
     where = posture(arm, largest.q) + (f", and at {count} further posture{'s' if count > 1 else ''}" if count else "")
+    how = capitalised(largest.how)
     if largest.proved:
         return Finding(
-            f"The largest H is {value}, at {where}: proved to be the global maximum. {largest.how}.", tone="good"
+            f"The largest H is {value}, at {where}: proved to be the global maximum. {how}.",
+            tone="good",
         )
     limit = (
         f" No H exceeds {readable(largest.bound)}{size.suffix}: that is certain."
@@ -43,8 +45,16 @@ def _status(arm: Arm, context: Context) -> Finding:
         else ""
     )
     return Finding(
-        f"The largest H found is {value}, at {where}; it is not proved to be the global maximum.{limit} {largest.how}."
+        f"The largest H found is {value}, at {where}; it is not proved to be the global maximum.{limit} {how}."
     )
+
+
+def _headline(arm: Arm, context: Context) -> str:
+    """The section in one sentence, for the summary."""
+    largest, size = context.maximum, unit(arm, context.task)
+    sure = "proved to be the global maximum" if largest.proved else "the largest that was found"
+    where = posture(arm, largest.q, context.depends_on)
+    return f"It is farthest from singular at {where}: H = {readable(largest.value, 4)}{size.suffix}, {sure}."
 
 
 def _build(arm: Arm, context: Context) -> Part:
@@ -97,6 +107,7 @@ def _build(arm: Arm, context: Context) -> Part:
             ),
         ),
         {**found.to_dict(), "largest": context.maximum.to_dict()},
+        headlines=() if not math.isfinite(context.maximum.value) else (_headline(arm, context),),
     )
 
 

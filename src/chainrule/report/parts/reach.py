@@ -10,6 +10,7 @@ from chainrule.arm import Arm
 from chainrule.errors import InputError
 from chainrule.plot.style import svg
 from chainrule.plot.workspace import draw_workspace
+from chainrule.reach import Reach
 from chainrule.report.content import Block, Details, Finding, Grid, Part, Picture, Points, Prose
 from chainrule.report.context import Context
 from chainrule.report.sections import Section
@@ -92,7 +93,19 @@ def _build(arm: Arm, context: Context) -> Part:
             )
         )
     data = found.to_dict() | ({} if exact is None else {"workspace": exact.to_dict()})
-    return Part(tuple(blocks), data)
+    return Part(tuple(blocks), data, headlines=_headlines(arm, found, exact))
+
+
+def _headlines(arm: Arm, found: Reach, exact: Workspace | None) -> tuple[str, ...]:
+    """The section in one sentence, for the summary."""
+    if exact is not None:
+        first, second = findings(exact)[:2]
+        return (f"{first} {second}.",)
+    if not math.isfinite(found.bound):
+        return ()
+    nearest = found.nearest.value
+    from_ = "the base's origin itself" if nearest <= 1e-9 else f"{readable(nearest, 3)} m"
+    return (f"Its tip gets from {from_} to {readable(found.farthest.value, 4)} m away from the base.",)
 
 
 SECTION = Section("reach", "Reach", lambda arm: True, _build)

@@ -17,7 +17,7 @@ from chainrule.report.sections import Section
 from chainrule.tables import Column, Table, posture, readable
 
 
-def _planar_3r(arm: Arm) -> tuple[list[Block], dict[str, object]]:
+def _planar_3r(arm: Arm) -> tuple[list[Block], dict[str, object], str]:
     symbolic = catalogue.symbolic(arm.description.model)
     found = planar_3r.singular_set(symbolic)
     q2, q3 = symbolic.inputs[0].symbols[1:]
@@ -30,14 +30,23 @@ def _planar_3r(arm: Arm) -> tuple[list[Block], dict[str, object]]:
         (Column("q2", "q2", "deg"), Column("q3", "q3", "deg"), Column("links", "the links")),
         rows,
     )
-    return [
-        Finding(f"The arm is singular in exactly {len(found)} pairs (q₂, q₃): where all three links lie on one line."),
-        Prose(
-            "Derived by solving the vanishing of all three minors over (−π, π]: M₂₃ gives q₃, then M₁₃ gives "
-            "q₂, and M₁₂ vanishes there too. It holds for all positive link lengths."
+    return (
+        [
+            Finding(
+                f"The arm is singular in exactly {len(found)} pairs (q₂, q₃): where all three links lie on one line."
+            ),
+            Prose(
+                "Derived by solving the vanishing of all three minors over (−π, π]: M₂₃ gives q₃, then M₁₃ gives "
+                "q₂, and M₁₂ vanishes there too. It holds for all positive link lengths."
+            ),
+            Grid(table),
+        ],
+        {"singular": [[float(pair[q2]), float(pair[q3])] for pair in found], "proved": True},
+        (
+            "Avoid postures with all three links in one line (q2 and q3 each 0° or 180°): there, and nowhere else, it "
+            "is singular."
         ),
-        Grid(table),
-    ], {"singular": [[float(pair[q2]), float(pair[q3])] for pair in found], "proved": True}
+    )
 
 
 def _stretched(pair: dict[Any, Any], q2: Any, q3: Any) -> str:
@@ -45,7 +54,7 @@ def _stretched(pair: dict[Any, Any], q2: Any, q3: Any) -> str:
     return f"second link {words[pair[q2] == 0]}, third link {words[pair[q3] == 0]} along the one before"
 
 
-def _orthogonal(arm: Arm) -> tuple[list[Block], dict[str, object]]:
+def _orthogonal(arm: Arm) -> tuple[list[Block], dict[str, object], str]:
     factors = [f for f in mathml.factors(orthogonal_3r.determinant())[1] if f.has(sp.sin, sp.cos)]
     lines = tuple(mathml.math(mathml.row(mathml.inner(f), mathml.operator("="), "<mn>0</mn>")) for f in factors)
     geometry = arm.description.geometry
@@ -69,18 +78,24 @@ def _orthogonal(arm: Arm) -> tuple[list[Block], dict[str, object]]:
                 "of joint 2."
             )
         )
-    return blocks, {"factors": [str(f) for f in factors], "proved": True}
+    avoid = "Avoid the two curves over q2 and q3 that are dashed in its map: there, and nowhere else, it is singular."
+    return blocks, {"factors": [str(f) for f in factors], "proved": True}, avoid
 
 
-def _general(arm: Arm, context: Context) -> tuple[list[Block], dict[str, object]]:
+def _general(arm: Arm, context: Context) -> tuple[list[Block], dict[str, object], str]:
     task = context.task
     assert task is not None
     if not context.depends_on and context.maximum.value > 0.0:
-        return [
-            Finding(
-                f"The arm is never singular: H is the same, {readable(context.maximum.value)}, in every configuration."
-            )
-        ], {"smallest_H": context.maximum.value, "proved": True}
+        return (
+            [
+                Finding(
+                    "The arm is never singular: "
+                    f"H is the same, {readable(context.maximum.value)}, in every configuration."
+                )
+            ],
+            {"smallest_H": context.maximum.value, "proved": True},
+            "It is never singular.",
+        )
     certain = _certain(arm, context, task)
     found = context.minimum
     scale = float(arm.manipulability(context.maximum.q, task=task))
@@ -118,13 +133,24 @@ def _general(arm: Arm, context: Context) -> tuple[list[Block], dict[str, object]
                 "on H²) is no proof that there is none."
             )
         )
-    return blocks, {
-        "smallest_H": found.value,
-        "q": found.q.tolist(),
-        "rank": rank,
-        "certain": list(certain),
-        "proved": False,
-    }
+    return (
+        blocks,
+        {
+            "smallest_H": found.value,
+            "q": found.q.tolist(),
+            "rank": rank,
+            "certain": list(certain),
+            "proved": False,
+        },
+        _avoid(arm, at, found.value < 1e-6 * scale),
+    )
+
+
+def _avoid(arm: Arm, at: str, met: bool) -> str:
+    """What to keep away from, as far as the search tells."""
+    if met:
+        return f"Avoid its singular configurations, which exist within its ranges: one is at {at}."
+    return "No singular configuration was found within its ranges, which proves nothing."
 
 
 def _certain(arm: Arm, context: Context, task: str) -> tuple[str, ...]:
@@ -161,12 +187,12 @@ def _certain(arm: Arm, context: Context, task: str) -> tuple[str, ...]:
 def _build(arm: Arm, context: Context) -> Part:
     model = arm.description.model
     if model.name == "planar_rrr" and context.task == "position" and min(model.parameters) > 0.0:
-        blocks, data = _planar_3r(arm)
+        blocks, data, headline = _planar_3r(arm)
     elif model.family == "orthogonal_3r" and context.task == "position":
-        blocks, data = _orthogonal(arm)
+        blocks, data, headline = _orthogonal(arm)
     else:
-        blocks, data = _general(arm, context)
-    return Part(tuple(blocks), data)
+        blocks, data, headline = _general(arm, context)
+    return Part(tuple(blocks), data, headlines=(headline,))
 
 
 SECTION = Section("singular", "Singular configurations", lambda arm: bool(arm.full_rank_tasks), _build)

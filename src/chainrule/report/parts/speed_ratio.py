@@ -92,7 +92,7 @@ def _build(arm: Arm, context: Context) -> Part:
         "reachable": [[_end(low), _end(high)] for low, high in found.reachable],
         "pseudoinverse": found.pseudoinverse_curvature.tolist(),
     }
-    return Part(blocks, data)
+    return Part(blocks, data, headlines=(f"With its joints at constant rates, {line[0].lower()}{line[1:]}.",))
 
 
 SECTION = Section(

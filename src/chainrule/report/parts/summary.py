@@ -8,9 +8,9 @@ import numpy as np
 
 from chainrule.arm import Arm
 from chainrule.manipulability import unit
-from chainrule.report.content import Facts, Finding, Part, Prose
+from chainrule.report.content import Facts, Finding, Headlines, Part, Prose
 from chainrule.report.context import Context
-from chainrule.report.sections import Section
+from chainrule.report.sections import SUMMARY, Section
 from chainrule.search import FREE_TRAVEL
 from chainrule.tables import readable
 
@@ -70,7 +70,7 @@ def _build(arm: Arm, context: Context) -> Part:
     where = "in a plane" if planar else "in space"
     reach, table = context.reach, context.functions
     operations = sum(row[3] for row in table.rows if isinstance(row[3], int))
-    blocks: list[Finding | Facts | Prose] = [
+    blocks: list[Finding | Facts | Prose | Headlines] = [
         Prose(f"{arm.name} is an arm with {_joints(arm)} that moves {where}. {_redundancy(arm, context)}")
     ]
     pairs = [("joints", f"{arm.n} ({arm.kinds})")]
@@ -88,6 +88,8 @@ def _build(arm: Arm, context: Context) -> Part:
     total = len(context.checks)
     pairs.append(("checks", f"{total - len(failed)} of {total} passed"))
     blocks.append(Facts(tuple(pairs)))
+    if context.headlines:
+        blocks.append(Headlines(tuple(context.headlines)))
     if failed:
         blocks.append(
             Finding(
@@ -104,7 +106,8 @@ def _build(arm: Arm, context: Context) -> Part:
                 tone="good",
             )
         )
-    return Part(tuple(blocks), {"name": arm.name, "kinds": arm.kinds, "task": context.task})
+    said = [line for *_, line in context.headlines]
+    return Part(tuple(blocks), {"name": arm.name, "kinds": arm.kinds, "task": context.task, "findings": said})
 
 
-SECTION = Section("summary", "Summary", lambda arm: True, _build)
+SECTION = Section(SUMMARY, "Summary", lambda arm: True, _build)

@@ -27,6 +27,7 @@ def _build(arm: Arm, context: Context) -> Part:
     ranges = box(arm)
     middle, name = ranges.mean(axis=1), "the posture of the largest H"
     start = np.clip(context.posture, ranges[:, 0], ranges[:, 1])
+    start = np.where(np.abs(start - middle) < 1e-9, middle, start)
     if np.array_equal(start, middle):  # H is the same everywhere, or has no meaning for this arm
         start, name = ranges[:, 0] + 0.25 * (ranges[:, 1] - ranges[:, 0]), "a quarter into the joints' ranges"
     limits = arm.limits
