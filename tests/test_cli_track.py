@@ -239,6 +239,8 @@ def test_paths_from_files(call, tmp_path):
         (("sanchez_8r", "--path", "sanchez-arc", "--start", "1,2,3"), "--start: 3 numbers given"),
         (("sanchez_8r", "--path", "sanchez-arc", "--start", "E", "--feedback", "0"), "misses the start of the path"),
         (("panda", "--path", "sanchez-arc", "--start", "A"), "is a posture of sanchez_8r"),
+        (("sanchez_8r", "--path", "sanchez-arc", "--start", "best"), "that of the posture that --start gives"),
+        (("panda", "--path", "sanchez-arc"), "that of the posture that --start gives"),
         (("planar_3r", "--path", "sanchez-arc"), "coordinates"),
         (("planar_3r", "--circle", "-0.1"), "radius"),
         (("planar_3r", "--circle", "nan"), "radius"),

@@ -121,12 +121,16 @@ def track(
     Example: chainrule track sanchez_8r --path sanchez-arc --gain -2 --figure track.svg
     """
     loaded = _limited(load_arm(arm, tip, base), velocity, acceleration, deg)
-    loaded.task_of_full_rank(task)
     _check(csv, compare, forecast, duration, path, tolerance)
     if limits and method == "gradient_projection":
         method = "limited"
     chosen = _methods(loaded, compare, method, limits)
+    task = loaded.task_of_full_rank(task)
     desired, posture = _path(loaded, task, path, circle, line, 2.0 if duration is None else duration, start, deg)
+    if desired.turning is None and task != "position" and (posture is None or isinstance(posture, str)):
+        raise InputError(
+            f"the path says no orientation, and the task '{task}' holds one: that of the posture that --start gives"
+        )
     options: dict[str, Any] = {
         "task": task,
         "criterion": criterion,
@@ -220,7 +224,7 @@ def _any_limits(arm: Arm) -> bool:
 
 def _path(
     arm: Arm,
-    task: str | None,
+    task: str,
     path: str | None,
     circle: float | None,
     line: str | None,
