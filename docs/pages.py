@@ -217,7 +217,7 @@ THEORY: dict[str, Callable[[], dict[str, str]]] = {
 def _template(key: str) -> Any:
     loader = FileSystemLoader(ROOT / "templates" / "site")
     environment = Environment(loader=loader, undefined=StrictUndefined, autoescape=False, keep_trailing_newline=True)
-    environment.filters |= {"cell": cell, "capitalise": lambda text: text[:1].upper() + text[1:]}
+    environment.filters["cell"] = cell
     return environment.get_template(key)
 
 
@@ -229,7 +229,7 @@ def theory_page(key: str) -> str:
 
 def cell(text: str) -> str:
     """Text for a cell of a Markdown table."""
-    return re.sub(r"([|*_<>\\])", r"\\\1", " ".join(str(text).split()))
+    return re.sub(r"([|*_\\])", r"\\\1", " ".join(str(text).split())).replace("<", "&lt;")
 
 
 def paper_page(key: str, rows: Sequence[Any] | None = None) -> str:
