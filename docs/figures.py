@@ -104,7 +104,12 @@ def _round_a_cusp(axes: Axes) -> None:
     axes.plot(*image.T, color=COLOURS["joint"], lw=2.4)
     for share in (0.2, 0.8):
         at = int(share * len(image))
-        arrow = {"arrowstyle": "-|>,head_width=0.35,head_length=0.7", "color": COLOURS["joint"], "shrinkA": 0, "shrinkB": 0}
+        arrow = {
+            "arrowstyle": "-|>,head_width=0.35,head_length=0.7",
+            "color": COLOURS["joint"],
+            "shrinkA": 0,
+            "shrinkB": 0,
+        }
         axes.annotate("", image[at + 2], image[at], arrowprops=arrow)
     axes.plot(*image[0], "s", ms=7, color=COLOURS["ink"])
     _title(axes, "Can it change its posture freely?", "round a cusp, back to the point, in another posture")
@@ -140,7 +145,9 @@ def _reached(axes: Axes) -> None:
         line = outline(piece)
         axes.plot(line.real, line.imag, color=COLOURS["link"], lw=1.6, zorder=2)
     _links(axes, arm, np.array([0.9, -0.8, 1.2]), COLOURS["link"])
-    _title(axes, "Where can it reach?", f"{found.area:.4f} m² bounded by {len(found.region.pieces)} arcs, in closed form")
+    _title(
+        axes, "Where can it reach?", f"{found.area:.4f} m² bounded by {len(found.region.pieces)} arcs, in closed form"
+    )
 
 
 # ---- one for each guide ------------------------------------------------------------------------------------------
@@ -171,7 +178,9 @@ def posture_change_6r() -> Figure:
         upper.fill_between(s, 0.0, det, color=COLOURS["fill"], lw=0)
         upper.plot(s, det, color=COLOURS["link"], lw=1.8)
         upper.axhline(witness.smallest_determinant, color=COLOURS["accent"], lw=1.2, ls="--")
-        upper.annotate("proved bound", (0.5, witness.smallest_determinant), (0, 4), textcoords="offset points", ha="center")
+        upper.annotate(
+            "proved bound", (0.5, witness.smallest_determinant), (0, 4), textcoords="offset points", ha="center"
+        )
         upper.set_ylim(0.0)
         upper.set_ylabel("|det J| [m³]")
         upper.set_title("gofa5: two inverse solutions of one pose,\njoined without a singularity", loc="left")

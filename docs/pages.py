@@ -32,7 +32,7 @@ from chainrule.derive import (
     speed_ratio_4,
 )
 from chainrule.derive.chain import jacobian as chain_jacobian
-from chainrule.derive.program import Program, Steps
+from chainrule.derive.program import Steps
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 from latex import aligned, block, equations, latex, listing, name, step_lines
@@ -158,7 +158,9 @@ def orthogonal() -> dict[str, str]:
         "c1": equations([("0", sides["C1_whole"] + sides["C1_factor"] * sp.Symbol("A") * sp.Symbol("B"))]),
         "tangency": equations([("0", sp.factor(second)), ("0", sp.factor(third))]),
         "node_surfaces": equations([("0", sides["E"]), ("0", sides["E2"])]),
-        "contact": equations([("u_{0}", contact["u0"]), (r"\kappa", contact["kappa"]), ("z^{2}", contact["z_squared"])]),
+        "contact": equations(
+            [("u_{0}", contact["u0"]), (r"\kappa", contact["kappa"]), ("z^{2}", contact["z_squared"])]
+        ),
         "contact_rest": ", ".join(sorted(map(str, rest))),
         "false_root": equations(
             [
@@ -181,8 +183,7 @@ def speed_ratios() -> dict[str, str]:
     links = planar_motion.link_derivatives(3)
     return {
         "links": aligned(
-            (rf"\left(a e^{{i\varphi}}\right)^{{{chr(39) * order}}}", rf"\left[\,{latex(x)} + i \left({latex(y)}\right)\right] e^{{i\varphi}}")
-            for order, (x, y) in enumerate(links[1:], 1)
+            (r"\left(a e^{i\varphi}\right)" + "'" * order, _turning(*pair)) for order, pair in enumerate(links[1:], 1)
         ),
         "quadratic": equations((f"a_{{{k}}}", sp.factor(e)) for k, e in enumerate(derived, 1)),
         "discriminant": str(sp.simplify(a2**2 - 4 * a1 * a3)),
@@ -191,6 +192,11 @@ def speed_ratios() -> dict[str, str]:
         "cubic": equations([("0", speed_ratio_4.cubic(v, along, third, k, rho))]),
         "reduction": str(speed_ratio_4.reduction()),
     }
+
+
+def _turning(along: Any, across: Any) -> str:
+    """A derivative in the heading's frame."""
+    return rf"\left[\,{latex(along)} + i \left({latex(across)}\right)\right] e^{{i\varphi}}"
 
 
 def minimum_time() -> dict[str, str]:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from site_pages import paper_page_is_up_to_date
 
 from chainrule.cuspidality.classify import classify_orthogonal_3r
 from chainrule.papers import VERDICTS, baili
@@ -47,3 +48,7 @@ def test_the_printed_condition_errs_on_one_side_only():
     printed = np.sqrt(np.maximum((x - (x**2 - x) / root) / 2, 0.0))
     assert (printed >= true - 1e-12).all()
     assert not baili.printed_condition(1.0, d3, (true + printed) / 2, r2)[printed - true > 1e-3].any()
+
+
+def test_the_page_of_the_site_is_up_to_date(rows):
+    assert paper_page_is_up_to_date("baili", rows), "run python docs/pages.py baili"
