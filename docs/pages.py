@@ -1,7 +1,7 @@
 """Writes the pages of theory from the derivations and those of the papers from what is recomputed.
 
 ``python docs/pages.py`` writes docs/theory/*.md and docs/papers/*.md (two minutes: it recomputes every paper);
-``python docs/pages.py theory`` or a paper's key writes those alone. Prose is in templates/site/, formulas and numbers
+``python docs/pages.py theory`` or a paper's key writes those alone. Prose is in templates/pages/, formulas and numbers
 come from ``chainrule.derive`` and ``chainrule.papers``. The pages are committed; tests compare them with new ones.
 """
 
@@ -221,7 +221,7 @@ THEORY: dict[str, Callable[[], dict[str, str]]] = {
 
 
 def _template(key: str) -> Any:
-    loader = FileSystemLoader(ROOT / "templates" / "site")
+    loader = FileSystemLoader(ROOT / "templates" / "pages")
     environment = Environment(loader=loader, undefined=StrictUndefined, autoescape=False, keep_trailing_newline=True)
     environment.filters["cell"] = cell
     return environment.get_template(key)
