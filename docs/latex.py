@@ -39,8 +39,8 @@ WHOLE = {
     "sa2": r"s_{\alpha 2}",
     "ca3": r"c_{\alpha 3}",
     "sa3": r"s_{\alpha 3}",
-    "rt2": r"\left(\mathbf{T} \cdot \mathbf{r}''\right)",
-    "rn3": r"\left(\mathbf{T} \times \mathbf{r}'''\right)",
+    "rt2": r"\left(\mathbf{T} \cdot \mathbf{r}^{(2)}\right)",
+    "rn3": r"\left(\mathbf{T} \times \mathbf{r}^{(3)}\right)",
 }
 #: A sum is broken into lines of about so many characters of LaTeX.
 LINE = 110

@@ -183,7 +183,8 @@ def speed_ratios() -> dict[str, str]:
     links = planar_motion.link_derivatives(3)
     return {
         "links": aligned(
-            (r"\left(a e^{i\varphi}\right)" + "'" * order, _turning(*pair)) for order, pair in enumerate(links[1:], 1)
+            (rf"\left(a e^{{i\varphi}}\right)^{{({order})}}", _turning(*pair))
+            for order, pair in enumerate(links[1:], 1)
         ),
         "quadratic": equations((f"a_{{{k}}}", sp.factor(e)) for k, e in enumerate(derived, 1)),
         "discriminant": str(sp.simplify(a2**2 - 4 * a1 * a3)),

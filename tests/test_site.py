@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -159,3 +160,11 @@ def test_a_figure_is_drawn_the_same_again(site: dict[str, ModuleType], tmp_path:
         for run in ("first", "second"):
             write_figure(site["figures"].FIGURES[name](), tmp_path / f"{run}.svg")
         assert (tmp_path / "first.svg").read_bytes() == (tmp_path / "second.svg").read_bytes()
+
+
+def test_the_papers_are_cited_with_the_version() -> None:
+    citation = (ROOT / "CITATION.cff").read_text("utf-8")
+    version = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["version"]
+    assert re.search(r"^version: (.*)$", citation, re.M).group(1) == version  # type: ignore[union-attr]
+    authors = ("Lenarčič", "Sanchez", "Ambike", "Baili", "De Luca")
+    assert all(citation.count(f'family-names: "{name}"') == 1 for name in authors)
