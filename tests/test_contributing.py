@@ -65,7 +65,7 @@ cr = types.SimpleNamespace(load=lambda name: arm)
 
 
 PAGES = [
-    path for path in (ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))) if ">>>" in path.read_text("utf-8")
+    path for path in (ROOT / "README.md", *sorted((ROOT / "docs").rglob("*.md"))) if ">>>" in path.read_text("utf-8")
 ]
 
 

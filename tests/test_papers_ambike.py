@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from site_pages import paper_page_is_up_to_date
 
 import chainrule as cr
 from chainrule.papers import VERDICTS, ambike
@@ -107,3 +108,7 @@ def test_what_other_modules_add_comes_last(monkeypatch):
     found = ambike.rows(said.append)
     assert found[-1] == ambike.shown_answer("", "", "", True, "")
     assert said[-1] == "speed ratios: more"
+
+
+def test_the_page_of_the_site_is_up_to_date(rows):
+    assert paper_page_is_up_to_date("ambike", rows, whole=False), "run python docs/pages.py ambike"

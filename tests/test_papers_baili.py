@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from site_pages import paper_page_is_up_to_date
 
 from chainrule.cuspidality.classify import classify_orthogonal_3r
 from chainrule.papers import VERDICTS, baili
@@ -57,3 +58,7 @@ def test_the_printed_condition_errs_on_one_side_only():
     assert (baili.printed_condition(1.0, d3, true + 1e-6, r2, corrected=True) | (d3 < 1.0)).all()
     assert not baili.printed_condition(1.0, d3, true - 1e-6, r2, corrected=True).any()
     assert not baili.printed_condition(1.0, d3, (true + printed) / 2, r2)[printed - true > 1e-3].any()
+
+
+def test_the_page_of_the_site_is_up_to_date(rows):
+    assert paper_page_is_up_to_date("baili", rows), "run python docs/pages.py baili"

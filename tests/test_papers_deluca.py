@@ -4,6 +4,7 @@ import math
 
 import pytest
 import sympy as sp
+from site_pages import paper_page_is_up_to_date
 
 from chainrule import InputError
 from chainrule.papers import PAPERS, VERDICTS, compared, deluca, reproduce, shown_equal
@@ -85,3 +86,7 @@ def test_an_unknown_paper_is_refused():
     with pytest.raises(InputError, match="deluca, ambike, baili, lenarcic, sanchez can be reproduced"):
         reproduce("nobody")
     assert "deluca" in PAPERS
+
+
+def test_the_page_of_the_site_is_up_to_date(rows):
+    assert paper_page_is_up_to_date("deluca", rows), "run python docs/pages.py deluca"

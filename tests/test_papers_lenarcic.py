@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from site_pages import paper_page_is_up_to_date
 
 import chainrule as cr
 from chainrule.papers import PAPERS, lenarcic, reproduce
@@ -163,3 +164,7 @@ def test_curves_in_joint_space():
         assert np.abs(tip[:, None] - [0.1, 0.25, 0.4, 0.7]).min(axis=1).max() < 1e-12
         assert np.ptp(np.argmin(np.abs(tip[:, None] - [0.1, 0.25, 0.4, 0.7]), axis=1)) == 0
         assert np.abs(line.get_xydata()).max() <= 180.0
+
+
+def test_the_page_of_the_site_is_up_to_date(rows):
+    assert paper_page_is_up_to_date("lenarcic", rows), "run python docs/pages.py lenarcic"

@@ -46,6 +46,8 @@ if TYPE_CHECKING:
     from chainrule.timing import JointMove, min_time
     from chainrule.workspaces import Workspace, workspace
 
+    __version__: str
+
 __all__ = [
     "Arc",
     "Arm",
@@ -157,16 +159,18 @@ _HOMES = {
 }
 
 
-def __getattr__(name: str) -> Any:
-    from importlib import import_module
+if not TYPE_CHECKING:  # to a type checker it would mean that every name exists
 
-    if name in _HOMES:
-        return getattr(import_module(_HOMES[name]), name)
-    if name == "__version__":
-        from importlib.metadata import version
+    def __getattr__(name: str) -> Any:
+        from importlib import import_module
 
-        return version("chainrule")
-    raise AttributeError(f"module 'chainrule' has no attribute {name!r}")
+        if name in _HOMES:
+            return getattr(import_module(_HOMES[name]), name)
+        if name == "__version__":
+            from importlib.metadata import version
+
+            return version("chainrule")
+        raise AttributeError(f"module 'chainrule' has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:

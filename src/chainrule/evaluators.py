@@ -207,7 +207,9 @@ def _from_library(name: str, spec: Mapping[str, Any], prefix: str, library: ctyp
     signature = "->".join(
         ",".join(f"({','.join(map(str, shape))})" for _, shape in ports) for ports in (inputs, outputs)
     )
-    function = _gufunc.make(name, spec["summary"], signature, len(inputs), len(outputs), *addresses, library)
+    function = _gufunc.make(
+        name, spec["summary"], signature, len(inputs), len(outputs), addresses[0], addresses[1], library
+    )
     return Evaluator(
         name,
         spec["summary"],
