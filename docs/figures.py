@@ -21,11 +21,13 @@ import chainrule as cr
 from chainrule import papers
 from chainrule.console import write_figure
 from chainrule.following import compare, study
+from chainrule.papers.sanchez_paths import STARTS, thesis_arc
 from chainrule.plot.arm import draw_arm
 from chainrule.plot.cuspidality import draw_design
 from chainrule.plot.following import draw_following, draw_stretches, draw_study
 from chainrule.plot.higher_order import draw_four_joints, draw_orders, draw_timings
 from chainrule.plot.maps import draw_map, draw_optima
+from chainrule.plot.redundancy import draw_runs
 from chainrule.plot.self_motion import draw_self_motion
 from chainrule.plot.speed_ratio import draw_reachable, draw_speed_ratios
 from chainrule.plot.style import COLOURS, FIELD, WIDTH, styled
@@ -257,6 +259,19 @@ def optima() -> Figure:
     return draw_optima(arm, cr.max_manipulability(arm))
 
 
+def track() -> Figure:
+    """One arc of the thesis followed in three ways."""
+    arm, path, start = cr.load("sanchez_8r"), thesis_arc(), STARTS["A"]
+    local = cr.track(arm, path, start, gain=-2.0)
+    return draw_runs(
+        {
+            "pseudoinverse": cr.track(arm, path, start, method="pseudoinverse"),
+            "gradient projection, −2 on H^(-1/2)": local,
+            "global optimum": cr.track_globally(arm, path, start).run,
+        }
+    )
+
+
 def _of_paper(key: str, name: str) -> Figure:
     return papers.figures(key)[name]
 
@@ -278,6 +293,7 @@ FIGURES: dict[str, Callable[[], Figure]] = {
     "follow-path": follow_path,
     "follow-study": follow_study,
     "min-time": min_time,
+    "track": track,
     "ambike-figure-1": partial(stretches, (-14.0, -10.0, -205.0), (2.0, 1.0)),
     "ambike-figure-2": partial(stretches, (-14.0, -40.0, -205.0), (0.9439, 0.3304)),
     "baili-figure-7": partial(_of_paper, "baili", "figure-7"),

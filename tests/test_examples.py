@@ -18,6 +18,7 @@ SAYS = {
     "cuspidality": ["4 cusps, cuspidal: True", "proved True"],  # Baili's figure 2 (a)
     "generated_c": ["400 tips from C"],
     "manipulability": ["H = 0.7955370838", "proved: True"],  # De Luca's 0.79, off his grid
+    "track": ["pseudoinverse: complete, H at least 0.0016", "gradient projection: complete, H at least 0.019"],
     "minimum_time": ["[1.75 1.5 ]", "the only fastest motion: False"],  # De Luca's T' and T''
     "self_motion": ["8 closed curves (none missing: proved)"],
     "speed_ratios": ["pseudoinverse: ", "look_ahead: "],

@@ -4,6 +4,7 @@ import io
 
 import numpy as np
 import pytest
+from site_pages import paper_page_is_up_to_date
 
 import chainrule as cr
 from chainrule.papers import PAPERS, reproduce, sanchez_figures, sanchez_paths, sanchez_runs
@@ -50,6 +51,10 @@ def test_what_the_thesis_gets_wrong_is_named(rows):
         "λ = -2 from 1000 random starts on the ellipse",
         "λ = -2 from 1000 random starts on the line",
     }
+
+
+def test_the_page_of_the_site_is_up_to_date(rows):
+    assert paper_page_is_up_to_date("sanchez", rows), "run python docs/pages.py sanchez"
 
 
 def test_assumed_masses_are_named_beside_every_torque(rows):
