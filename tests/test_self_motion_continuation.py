@@ -251,7 +251,8 @@ def test_settings_are_the_same_in_both():
     names = {
         "contraction": tracing.CONTRACTION, "slab": tracing.SLAB, "advance": tracing.ADVANCE, "nodes": tracing.NODES,
         "longest_step": tracing.LONGEST, "step_turn": tracing.TURN, "history": tracing.HISTORY,
-        "newton": tracing.NEWTON,
+        "newton": tracing.NEWTON, "settled": tracing.SETTLED, "left": tracing.LEFT, "powers": tracing.POWERS,
+        "parts": tracing.PARTS,
         "order": tracing.ORDER, "least_turn": tracing.LEAST_TURN, "most_turn": tracing.MOST_TURN,
         "finest": tracing.FINEST, "balls": tracing.BALLS,
     }  # fmt: skip

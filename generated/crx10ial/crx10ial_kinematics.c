@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd.
+ * Made from templates/kernel.c.j2; inputs c377432d9de4b264bc0fb84a9e577be707acb8e38e47d6d915c10784eb3449ac.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "451537ee05b09cf4cb6bbc58ba30652e50402b9b617b3b1a264f964165a327cd";
+const char crx10ial_kinematics_digest[] = "c377432d9de4b264bc0fb84a9e577be707acb8e38e47d6d915c10784eb3449ac";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
+ * Made from templates/kernel.c.j2; inputs adeb95e1f675a7103e18d370086d46fb671848cfb9e973c124c1d0fe79cbc81b.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65";
+const char crx10ial_pose_digest[] = "adeb95e1f675a7103e18d370086d46fb671848cfb9e973c124c1d0fe79cbc81b";
 #endif
 
 #define LANES 64

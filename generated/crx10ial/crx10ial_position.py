@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cb4d3ff66d0b3fddea8a994024dff7f566dd18074d54483657610169293fc65.
+Made from templates/kernel.py.j2; inputs adeb95e1f675a7103e18d370086d46fb671848cfb9e973c124c1d0fe79cbc81b.
 1276 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

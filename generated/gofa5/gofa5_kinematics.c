@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e.
+ * Made from templates/kernel.c.j2; inputs 37a61242250b5563f00c77ff95ac30bfd55cecef05b33b16b592bdc3604bccc3.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e";
+const char gofa5_kinematics_digest[] = "37a61242250b5563f00c77ff95ac30bfd55cecef05b33b16b592bdc3604bccc3";
 #endif
 
 #define LANES 64

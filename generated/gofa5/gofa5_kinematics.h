@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e.
+ * Made from templates/kernel.h.j2; inputs 37a61242250b5563f00c77ff95ac30bfd55cecef05b33b16b592bdc3604bccc3.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

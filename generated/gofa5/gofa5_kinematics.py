@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9ffaec4620b3c504d5a87e498eaba4dec5799ab912533cb25605cf3d2a65066e.
+Made from templates/kernel.py.j2; inputs 37a61242250b5563f00c77ff95ac30bfd55cecef05b33b16b592bdc3604bccc3.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

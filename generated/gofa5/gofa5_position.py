@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1a25a8943ef0a9481b30a352a9668c4a41a66843cd491b4e8b643b3053f85654.
+Made from templates/kernel.py.j2; inputs df9362cb0fd42e2cd29e6ac90ead3be13187dedc38dfd2e2fc0ba3207d01ba1e.
 1337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,10 +1,11 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1.
+ * Made from templates/kernel.c.j2; inputs da08ab03fd6987331f0482602da3a36354bd355fecfc6c28082486a697e037c4.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #ifndef CHAINRULE_FLOAT
 #define CHAINRULE_FOLLOWS
+#define CHAINRULE_JOINTS 7
 #endif
 #include "iiwa14_continuation_pose.h"
 
@@ -12,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "40757f373721bbbba40d4a656910d7c80fe9eaeb0174cdf02b87b3af973f9fc1";
+const char iiwa14_continuation_pose_digest[] = "da08ab03fd6987331f0482602da3a36354bd355fecfc6c28082486a697e037c4";
 #endif
 
 #define LANES 32
@@ -104,19 +105,29 @@ static void iiwa14_continuation_pose_turning(const chainrule_curve *curve, const
     iiwa14_continuation_pose_bending_one(q, null_vector, bending);
 }
 
+static void iiwa14_continuation_pose_curve(chainrule_curve *curve)
+{
+    memset(curve, 0, sizeof *curve);
+    curve->positions = 3; /* the first rows are lengths */
+    curve->whole = 1; /* and all of the tip's velocity */
+    curve->spatial = 1;
+    curve->kinds = "RRRRRRR";
+    curve->held = iiwa14_continuation_pose_held;
+    curve->bending = iiwa14_continuation_pose_turning;
+}
+
 ptrdiff_t iiwa14_continuation_pose_follow(ptrdiff_t count, const chainrule_curve_inputs *inputs, const chainrule_curve_settings *settings,
-    ptrdiff_t room, double *points, double *boxes, chainrule_curve_result *results)
+    chainrule_curve_room *room, double *boxes, chainrule_curve_result *results)
 {
     chainrule_curve curve;
-    memset(&curve, 0, sizeof curve);
-    curve.joints = 7;
-    curve.rows = 6;
-    curve.positions = 3; /* the first rows are lengths */
-    curve.whole = 1; /* and all of the tip's velocity */
-    curve.spatial = 1;
-    curve.kinds = "RRRRRRR";
-    curve.held = iiwa14_continuation_pose_held;
-    curve.bending = iiwa14_continuation_pose_turning;
-    return chainrule_follow_all(&curve, count, inputs, settings, room, points, boxes, results);
+    iiwa14_continuation_pose_curve(&curve);
+    return chainrule_follow_all(&curve, count, inputs, settings, room, boxes, results);
+}
+
+void iiwa14_continuation_pose_correct(ptrdiff_t count, const chainrule_curve_inputs *inputs, int times, double *q, double *tangents)
+{
+    chainrule_curve curve;
+    iiwa14_continuation_pose_curve(&curve);
+    chainrule_correct_all(&curve, count, inputs, times, q, tangents);
 }
 #endif

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs e36fb7919fce96b3e6f9e38ed8bb5ac2a501809693ffc74532bc7b2584e1d65b.
+ * Made from templates/kernel.h.j2; inputs 164e5ee78ae9bfd30c990d531a7a89ba5fe039fd9dddc31e9b51ea45b5f8f5fc.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

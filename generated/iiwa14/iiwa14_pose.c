@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
+ * Made from templates/kernel.c.j2; inputs 414f5b0ba6297b1d6ea1f1f1a22c9acf42fb3825196dd7af7c14702f3543125b.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd";
+const char iiwa14_pose_digest[] = "414f5b0ba6297b1d6ea1f1f1a22c9acf42fb3825196dd7af7c14702f3543125b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 93292048299c98a05516a48475a0317e551f5ac179f6acfd469cb887cec623fd.
+Made from templates/kernel.py.j2; inputs 414f5b0ba6297b1d6ea1f1f1a22c9acf42fb3825196dd7af7c14702f3543125b.
 2462 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 40857b86da1519bbd657d62b64ada3fb4638b1c709c83f4bfc373d9d194c0a37.
+ * Made from templates/kernel.c.j2; inputs 479c160addc91e13ebabd6916dac0b303ecdd0cbfa906e96348200069f83c250.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "40857b86da1519bbd657d62b64ada3fb4638b1c709c83f4bfc373d9d194c0a37";
+const char jaco2_kinematics_digest[] = "479c160addc91e13ebabd6916dac0b303ecdd0cbfa906e96348200069f83c250";
 #endif
 
 #define LANES 64

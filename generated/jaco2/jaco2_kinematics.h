@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs 40857b86da1519bbd657d62b64ada3fb4638b1c709c83f4bfc373d9d194c0a37.
+ * Made from templates/kernel.h.j2; inputs 479c160addc91e13ebabd6916dac0b303ecdd0cbfa906e96348200069f83c250.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs 4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b.
+ * Made from templates/kernel.c.j2; inputs 29409ef2644738340a317ce8e7577a7a897063f9684e150b21391711078fc554.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b";
+const char jaco2_pose_digest[] = "29409ef2644738340a317ce8e7577a7a897063f9684e150b21391711078fc554";
 #endif
 
 #define LANES 64

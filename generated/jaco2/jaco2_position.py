@@ -1,6 +1,6 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4e1d1da3fa293a93c97c468052bb7410167c5c0fadef122e56ee5575d322e46b.
+Made from templates/kernel.py.j2; inputs 29409ef2644738340a317ce8e7577a7a897063f9684e150b21391711078fc554.
 1419 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

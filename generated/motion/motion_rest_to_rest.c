@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f.
+ * Made from templates/kernel.c.j2; inputs 5cf82d73586ba9bf6a5aedefde6d213ed812d6f70b5e5d7078dce33bb616c006.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "cc0e5606ae0f68ad2954e71b2791ebfc8bef578d0955b13782739d394938ca0f";
+const char motion_rest_to_rest_digest[] = "5cf82d73586ba9bf6a5aedefde6d213ed812d6f70b5e5d7078dce33bb616c006";
 #endif
 
 #define LANES 64

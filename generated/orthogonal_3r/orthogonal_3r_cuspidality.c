@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs ab236c447033f6ca071101304c97ba39f872199882e78f6d8b7b6389020e5fa9.
+ * Made from templates/kernel.c.j2; inputs bc366ffc0fdc784752a1919cd6016ad43a6ecd5087d10cd6aa0597a25e486917.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "ab236c447033f6ca071101304c97ba39f872199882e78f6d8b7b6389020e5fa9";
+const char orthogonal_3r_cuspidality_digest[] = "bc366ffc0fdc784752a1919cd6016ad43a6ecd5087d10cd6aa0597a25e486917";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 691b362e0edf21ddf1515204305bb2c0fbd408ce7003e9aaf3c755303cd04564.
+ * Made from templates/kernel.h.j2; inputs 359fbf06d58925ca14f8bfcb5a5859fe6bce90628a430f29142e03acb878f66e.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1c98de03df02c2b56b79a76593821687de27b186882c3f8a6f3ad7a05dd5a0d9.
+Made from templates/kernel.py.j2; inputs 5490f85ec4b2942288edc59557f708c6e6186027bdf75897583dc34295ed6505.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 728be0d5ac25d01753a1651ab0ddaa7251fb57b168318914920a7712a7bd7636.
+ * Made from templates/kernel.c.j2; inputs 18f213cdb596d060ed50de62dadea5498d8d0c30afdc029e0ccd6fd3ac0fc632.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "728be0d5ac25d01753a1651ab0ddaa7251fb57b168318914920a7712a7bd7636";
+const char panda_kinematics_digest[] = "18f213cdb596d060ed50de62dadea5498d8d0c30afdc029e0ccd6fd3ac0fc632";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 728be0d5ac25d01753a1651ab0ddaa7251fb57b168318914920a7712a7bd7636.
+ * Made from templates/kernel.h.j2; inputs 18f213cdb596d060ed50de62dadea5498d8d0c30afdc029e0ccd6fd3ac0fc632.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
+ * Made from templates/kernel.c.j2; inputs aaa89eb8b95c2855c7c535dd62847a670f798444ef25f762529c24e6d91700a1.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d";
+const char panda_pose_digest[] = "aaa89eb8b95c2855c7c535dd62847a670f798444ef25f762529c24e6d91700a1";
 #endif
 
 #define LANES 64

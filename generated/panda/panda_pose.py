@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 85173a96df10b18fa7b635bb06b068014a2c02626aad37eceba7b989335a162d.
+Made from templates/kernel.py.j2; inputs aaa89eb8b95c2855c7c535dd62847a670f798444ef25f762529c24e6d91700a1.
 2645 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

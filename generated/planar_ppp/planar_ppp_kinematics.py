@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7e1b5dd906e0ee51f7f4c797666a69ad264b736184c2a7a0619059730c777681.
+Made from templates/kernel.py.j2; inputs 3722f8e5a8f3985f0bd95dae8e9c8238c4ddfdea84c457c0e713ad9f7871f8f1.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

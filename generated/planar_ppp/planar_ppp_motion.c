@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94.
+ * Made from templates/kernel.c.j2; inputs 3b630869ba30d2fc3a1a14b9a9651dcebe4d79ba07f80bef1cc29c1cfff96210.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "8dce8f5ab4b3672434f9a9bb68b27c8d8427599a47343c3df4dc4ef3378d9c94";
+const char planar_ppp_motion_digest[] = "3b630869ba30d2fc3a1a14b9a9651dcebe4d79ba07f80bef1cc29c1cfff96210";
 #endif
 
 #define LANES 64

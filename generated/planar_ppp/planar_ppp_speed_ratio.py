@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cf0ff6da409417a7faeefd8538cae28272849c9ede9ff14748bd98e65593bc0.
+Made from templates/kernel.py.j2; inputs 361ad8e510d4988c865a638864e6fc24acf20d0586f14ee0a80c4fbbc4959b36.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

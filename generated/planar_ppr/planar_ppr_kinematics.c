@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7.
+ * Made from templates/kernel.c.j2; inputs 23d6d80fdad0071ce365250d7e0aab3ba47441f7b6aed7569fd779ef373f8f8b.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7";
+const char planar_ppr_kinematics_digest[] = "23d6d80fdad0071ce365250d7e0aab3ba47441f7b6aed7569fd779ef373f8f8b";
 #endif
 
 #define LANES 64

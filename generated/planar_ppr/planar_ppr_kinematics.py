@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 109ec0b821f9754c4ac17984184fbcf94dfb482dde1b009c2504dc88933caca7.
+Made from templates/kernel.py.j2; inputs 23d6d80fdad0071ce365250d7e0aab3ba47441f7b6aed7569fd779ef373f8f8b.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

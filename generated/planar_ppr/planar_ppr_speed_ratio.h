@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 9a331d5e17e870c6fcc6966afad433cfc77ccefbadbe6b75e55716be80d3a51d.
+ * Made from templates/kernel.h.j2; inputs 7cc150c18adef7844b5aa09f2454aae4e3c94348747b126f73fc83cc4e58dc85.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs bdad607b29cb08ca96eef2b1e332cc010030b3a4daa111804cc65525e5bfbe92.
+ * Made from templates/kernel.c.j2; inputs c4b56b85354456658328bc94044892f237107398f51e1c885fbddbf871913c60.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "bdad607b29cb08ca96eef2b1e332cc010030b3a4daa111804cc65525e5bfbe92";
+const char planar_prp_kinematics_digest[] = "c4b56b85354456658328bc94044892f237107398f51e1c885fbddbf871913c60";
 #endif
 
 #define LANES 64

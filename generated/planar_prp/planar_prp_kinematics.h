@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs bdad607b29cb08ca96eef2b1e332cc010030b3a4daa111804cc65525e5bfbe92.
+ * Made from templates/kernel.h.j2; inputs c4b56b85354456658328bc94044892f237107398f51e1c885fbddbf871913c60.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

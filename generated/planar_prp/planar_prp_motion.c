@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795.
+ * Made from templates/kernel.c.j2; inputs b4972468b426b0f90717407087a677ef30f4ef9a447d9df7c56fecd3917f4d23.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "d43f7a13296cf8cb97cbe876243a07973e47cea749a9786c5b11e16afb512795";
+const char planar_prp_motion_digest[] = "b4972468b426b0f90717407087a677ef30f4ef9a447d9df7c56fecd3917f4d23";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs 35ead70d6d02e646448d7a841dafe895dd938325718fe3e1fcc2249c281e60f1.
+ * Made from templates/kernel.c.j2; inputs 1ffcfa479ca6c5cffb3d79c02e539baff16bbba439541c939947c8b04ff157bd.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "35ead70d6d02e646448d7a841dafe895dd938325718fe3e1fcc2249c281e60f1";
+const char planar_prp_speed_ratio_digest[] = "1ffcfa479ca6c5cffb3d79c02e539baff16bbba439541c939947c8b04ff157bd";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs 35ead70d6d02e646448d7a841dafe895dd938325718fe3e1fcc2249c281e60f1.
+ * Made from templates/kernel.h.j2; inputs 1ffcfa479ca6c5cffb3d79c02e539baff16bbba439541c939947c8b04ff157bd.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

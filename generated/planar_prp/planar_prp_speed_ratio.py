@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 35ead70d6d02e646448d7a841dafe895dd938325718fe3e1fcc2249c281e60f1.
+Made from templates/kernel.py.j2; inputs 1ffcfa479ca6c5cffb3d79c02e539baff16bbba439541c939947c8b04ff157bd.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf.
+ * Made from templates/kernel.c.j2; inputs 4e73eb3d4cddaa64ec33d3c25f0c207498eec480716cf4530000e02cde30ccdd.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf";
+const char planar_prr_motion_digest[] = "4e73eb3d4cddaa64ec33d3c25f0c207498eec480716cf4530000e02cde30ccdd";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5468fe47ddf6d2181a7a3e272cc0f95d242b038fa37df8ea9e7a41a7f79c6abf.
+Made from templates/kernel.py.j2; inputs 4e73eb3d4cddaa64ec33d3c25f0c207498eec480716cf4530000e02cde30ccdd.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

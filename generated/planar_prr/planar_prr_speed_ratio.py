@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d722cfc5eed70dcdc8562f87dcf7dd088c95cb1f41c0689a8fbfc91daac29a3a.
+Made from templates/kernel.py.j2; inputs 3e7611da6922d3538408f4f7786ad023eb250e893da1598e40087fff1c95a1a0.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

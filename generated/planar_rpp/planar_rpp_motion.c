@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe.
+ * Made from templates/kernel.c.j2; inputs d9724ac9f4f0a7ed35c2f22bd6e60e63aee7c35bf12a985cbfb502633de43367.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe";
+const char planar_rpp_motion_digest[] = "d9724ac9f4f0a7ed35c2f22bd6e60e63aee7c35bf12a985cbfb502633de43367";
 #endif
 
 #define LANES 64

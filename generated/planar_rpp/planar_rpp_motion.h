@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 456ed500afb0e68089f8cae709a51a2624134803c6e5976cae2dd686ff6906fe.
+ * Made from templates/kernel.h.j2; inputs d9724ac9f4f0a7ed35c2f22bd6e60e63aee7c35bf12a985cbfb502633de43367.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs e9cc7212c63c89e04e4676f68e1fa64cbb71a283fe65b7715f6283686037491a.
+ * Made from templates/kernel.c.j2; inputs 6b84c56dd069fd61404213e394a955a6d0ee3641f961dec4d72e9595cbaaf871.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "e9cc7212c63c89e04e4676f68e1fa64cbb71a283fe65b7715f6283686037491a";
+const char planar_rpp_speed_ratio_digest[] = "6b84c56dd069fd61404213e394a955a6d0ee3641f961dec4d72e9595cbaaf871";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs e9cc7212c63c89e04e4676f68e1fa64cbb71a283fe65b7715f6283686037491a.
+ * Made from templates/kernel.h.j2; inputs 6b84c56dd069fd61404213e394a955a6d0ee3641f961dec4d72e9595cbaaf871.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

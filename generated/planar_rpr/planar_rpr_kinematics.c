@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c.
+ * Made from templates/kernel.c.j2; inputs e091d3c9722f70f8f1f4c6b4d29fb7a0056ecc2b15e8c9d337e9db6c737cb474.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "2e3a27a70f0c00cd48b5c5778f77b1743a3b2550e29b8ee5d710f03e8fd1e52c";
+const char planar_rpr_kinematics_digest[] = "e091d3c9722f70f8f1f4c6b4d29fb7a0056ecc2b15e8c9d337e9db6c737cb474";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 0bc0b7ccb5df63e6ca2c4055af27d9632b1e3ea0755e7a688207a59eb30237dd.
+ * Made from templates/kernel.h.j2; inputs abf70a770d204b86afd91f34d8b99438739d748bc18d0a5feb3c9aab218885cb.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

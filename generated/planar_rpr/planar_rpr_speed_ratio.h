@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs e309d19378e6f119bba31de2a3fb232613740fe2658b2ef498b39c7704045a51.
+ * Made from templates/kernel.h.j2; inputs d16fa6724e7b40bbf74936b0cc38bc5d702d3481dc9e97e1b827cf22a306bca8.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

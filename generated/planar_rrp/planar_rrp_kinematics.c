@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs f24c390aac9a5059af7e72db8613ac796c537182c8d28b9058a9afda61022de2.
+ * Made from templates/kernel.c.j2; inputs e41761adab89aca892aa8bf5258dcbafcdacb9cb71b841cc7a7f9e66787c44a8.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "f24c390aac9a5059af7e72db8613ac796c537182c8d28b9058a9afda61022de2";
+const char planar_rrp_kinematics_digest[] = "e41761adab89aca892aa8bf5258dcbafcdacb9cb71b841cc7a7f9e66787c44a8";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs f24c390aac9a5059af7e72db8613ac796c537182c8d28b9058a9afda61022de2.
+ * Made from templates/kernel.h.j2; inputs e41761adab89aca892aa8bf5258dcbafcdacb9cb71b841cc7a7f9e66787c44a8.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

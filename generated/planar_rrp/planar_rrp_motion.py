@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs aab728c1b41196b5d905c3158ba07b7c0ebdc58faeba00037093b4ac4ec7916b.
+Made from templates/kernel.py.j2; inputs 7a98410b59275a78d92d062c45d5d77b3f94ba2e8266b67e95e9345ab63e838b.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 726196711b586fdb1f40355bed086f8202b2a19555064fb7a358a9245abf74a6.
+ * Made from templates/kernel.c.j2; inputs 9db2395fc4186f59537c21ec616de8103102e6945ccafd7b00cf78e426d493bf.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "726196711b586fdb1f40355bed086f8202b2a19555064fb7a358a9245abf74a6";
+const char planar_rrp_speed_ratio_digest[] = "9db2395fc4186f59537c21ec616de8103102e6945ccafd7b00cf78e426d493bf";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 726196711b586fdb1f40355bed086f8202b2a19555064fb7a358a9245abf74a6.
+Made from templates/kernel.py.j2; inputs 9db2395fc4186f59537c21ec616de8103102e6945ccafd7b00cf78e426d493bf.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

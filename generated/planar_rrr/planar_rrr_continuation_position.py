@@ -1,6 +1,6 @@
 """continuation position of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 50d87b854f53539f0fd3599b9baa8b3b127c42619ed1b4a30f8f918e1e1202c5.
+Made from templates/kernel.py.j2; inputs 3ccd67c916ea1b9f42900beab4605add78503a06bb73d7fdacb35c3e6ab2b3d7.
 123 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

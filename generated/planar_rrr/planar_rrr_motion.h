@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 219a78f47c88665ff84fb95e9c52a38c1f537184f5db64a50618268555c53cd7.
+ * Made from templates/kernel.h.j2; inputs d45733e890f567efbea7a3de30be2e234cc87c60afa98cc9ce31c348ef4d42c5.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e762323a9d74d259afdd7ca7d41a6ce803dcebe81b43951acd0ae815a5b2885e.
+Made from templates/kernel.py.j2; inputs 6e56b80f4225c18b7a428df4994d846401bc5f961385114945343212ab0722a8.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 83010187fb606a7c3e7425431459fe56251c27b35d5de77d493faef196f1587b.
+ * Made from templates/kernel.c.j2; inputs 60487788a4735733528914d69be092c2e0e25c3d3951a74e35384e16b9c4ae2b.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "83010187fb606a7c3e7425431459fe56251c27b35d5de77d493faef196f1587b";
+const char puma560_kinematics_digest[] = "60487788a4735733528914d69be092c2e0e25c3d3951a74e35384e16b9c4ae2b";
 #endif
 
 #define LANES 64

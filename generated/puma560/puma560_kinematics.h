@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 83010187fb606a7c3e7425431459fe56251c27b35d5de77d493faef196f1587b.
+ * Made from templates/kernel.h.j2; inputs 60487788a4735733528914d69be092c2e0e25c3d3951a74e35384e16b9c4ae2b.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,7 +1,7 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 36aaaf0543af5c0d8a72266f9b9979dfbf9a6f1352259c4fcfdded3a2397aaab.
-3766 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 59289c58289e021be0ad32ad9616c02b48fdfb9fb835ead0e1a59152a186daca.
+4089 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -1803,3 +1803,173 @@ def sweep_base(parameters, elbow, turned):
     xy[..., 0] = A + d2
     xy[..., 1] = t1
     return xy.reshape(_leading + (2,))
+
+
+def spherical_orientations(second, third, wanted):
+    """angles a, b, c with Rz(a) second Rz(b) third Rz(c) = wanted, in two ways; real where |share| <= 1: 265 operations.
+
+    in   second[3][3] = (second_11, second_12, second_13, second_21, second_22, second_23, second_31, second_32, second_33)
+    in   third[3][3] = (third_11, third_12, third_13, third_21, third_22, third_23, third_31, third_32, third_33)
+    in   wanted[3][3] = (wanted_11, wanted_12, wanted_13, wanted_21, wanted_22, wanted_23, wanted_31, wanted_32, wanted_33)
+    out  angles[2][3]
+    out  share[1]
+    """
+    second = np.asarray(second)
+    second = second.reshape(second.shape[:-2] + (9,))
+    third = np.asarray(third)
+    third = third.reshape(third.shape[:-2] + (9,))
+    wanted = np.asarray(wanted)
+    wanted = wanted.reshape(wanted.shape[:-2] + (9,))
+    _leading = np.broadcast_shapes(second.shape[:-1], third.shape[:-1], wanted.shape[:-1])
+    _real = np.result_type(second, third, wanted, np.float32)
+
+    # inputs, sines and cosines
+    second_31 = second[..., 6]
+    third_13 = third[..., 2]
+    second_32 = second[..., 7]
+    third_23 = third[..., 5]
+    wanted_33 = wanted[..., 8]
+    second_33 = second[..., 8]
+    third_33 = third[..., 8]
+    second_11 = second[..., 0]
+    second_12 = second[..., 1]
+    second_13 = second[..., 2]
+    wanted_13 = wanted[..., 2]
+    second_21 = second[..., 3]
+    second_22 = second[..., 4]
+    second_23 = second[..., 5]
+    wanted_23 = wanted[..., 5]
+    third_12 = third[..., 1]
+    third_22 = third[..., 4]
+    third_32 = third[..., 7]
+    wanted_31 = wanted[..., 6]
+    wanted_11 = wanted[..., 0]
+    wanted_21 = wanted[..., 3]
+    third_11 = third[..., 0]
+    third_21 = third[..., 3]
+    third_31 = third[..., 6]
+
+    # terms
+    t1 = second_31 * third_13 + second_32 * third_23
+    t2 = third_13 * second_32 - second_31 * third_23
+    t3 = np.sqrt((t1 * t1 + t2 * t2))
+    t4 = np.where(t3 != 0.0, (wanted_33 - second_33 * third_33) / t3, 0.0)
+    t5 = np.maximum((-1), np.minimum(1, t4))
+    t6 = t1 * t5
+    t7 = np.sqrt(np.maximum(0.0, (1 + t5) * (1 - t5)))
+    t8 = t2 * t7
+    t9 = (t6 - t8) / t3
+    t10 = t2 * t5
+    t11 = t1 * t7
+    t12 = (t10 + t11) / t3
+    t13 = np.where(t3 != 0.0, third_13 * t9, 0.0) - np.where(t3 != 0.0, third_23 * t12, 0.0)
+    t14 = third_23 * t9 + third_13 * t12
+    t15 = third_33 * second_13
+    t16 = t13 * second_11 + np.where(t3 != 0.0, t14 * second_12, 0.0) + t15
+    t17 = third_33 * second_23
+    t18 = t13 * second_21 + np.where(t3 != 0.0, t14 * second_22, 0.0) + t17
+    t19 = t16 * wanted_13 + t18 * wanted_23
+    t20 = t16 * wanted_23 - wanted_13 * t18
+    t21 = np.sqrt((t19 * t19 + t20 * t20))
+    t22 = t20 / t21
+    t23 = 1 + np.where(t21 != 0.0, t19 / t21, 0.0) - np.where(t21 != 0.0, 1, 0.0)
+    t24 = np.where(t3 != 0.0, t9 * third_12, 0.0) - np.where(t3 != 0.0, t12 * third_22, 0.0)
+    t25 = t9 * third_22 + t12 * third_12
+    t26 = second_33 * third_32
+    t27 = second_13 * third_32
+    t28 = second_11 * t24 + np.where(t3 != 0.0, second_12 * t25, 0.0) + t27
+    t29 = second_23 * third_32
+    t30 = second_21 * t24 + np.where(t3 != 0.0, second_22 * t25, 0.0) + t29
+    t31 = (second_31 * t24 + np.where(t3 != 0.0, second_32 * t25, 0.0) + t26) * wanted_31 + wanted_11 * (t23 * t28 - np.where(t21 != 0.0, t22 * t30, 0.0))
+    t32 = np.where(t3 != 0.0, t9 * third_11, 0.0) - np.where(t3 != 0.0, t12 * third_21, 0.0)
+    t33 = t9 * third_21 + t12 * third_11
+    t34 = second_33 * third_31
+    t35 = second_13 * third_31
+    t36 = second_11 * t32 + np.where(t3 != 0.0, second_12 * t33, 0.0) + t35
+    t37 = second_23 * third_31
+    t38 = second_21 * t32 + np.where(t3 != 0.0, second_22 * t33, 0.0) + t37
+    t39 = wanted_31 * (second_31 * t32 + np.where(t3 != 0.0, second_32 * t33, 0.0) + t34) + wanted_11 * (t23 * t36 - np.where(t21 != 0.0, t22 * t38, 0.0))
+    t40 = np.arctan2((t31 + wanted_21 * (t23 * t30 + np.where(t21 != 0.0, t22 * t28, 0.0))), t39 + wanted_21 * (t23 * t38 + np.where(t21 != 0.0, t22 * t36, 0.0)))
+    t41 = (t6 + t8) / t3
+    t42 = (t10 - t11) / t3
+    t43 = third_23 * t41 + third_13 * t42
+    t44 = np.where(t3 != 0.0, third_13 * t41, 0.0) - np.where(t3 != 0.0, third_23 * t42, 0.0)
+    t45 = t15 + (np.where(t3 != 0.0, second_12 * t43, 0.0) + second_11 * t44)
+    t46 = t17 + (np.where(t3 != 0.0, second_22 * t43, 0.0) + second_21 * t44)
+    t47 = wanted_13 * t45 + wanted_23 * t46
+    t48 = wanted_23 * t45 - wanted_13 * t46
+    t49 = np.sqrt((t47 * t47 + t48 * t48))
+    t50 = t48 / t49
+    t51 = 1 + np.where(t49 != 0.0, t47 / t49, 0.0) - np.where(t49 != 0.0, 1, 0.0)
+    t52 = third_22 * t41 + third_12 * t42
+    t53 = np.where(t3 != 0.0, third_12 * t41, 0.0) - np.where(t3 != 0.0, third_22 * t42, 0.0)
+    t54 = t27 + (np.where(t3 != 0.0, second_12 * t52, 0.0) + second_11 * t53)
+    t55 = t29 + (np.where(t3 != 0.0, second_22 * t52, 0.0) + second_21 * t53)
+    t56 = wanted_31 * (t26 + (np.where(t3 != 0.0, second_32 * t52, 0.0) + second_31 * t53)) + wanted_11 * (t51 * t54 - np.where(t49 != 0.0, t50 * t55, 0.0))
+    t57 = np.where(t3 != 0.0, third_11 * t41, 0.0) - np.where(t3 != 0.0, third_21 * t42, 0.0)
+    t58 = third_21 * t41 + third_11 * t42
+    t59 = t35 + (second_11 * t57 + np.where(t3 != 0.0, second_12 * t58, 0.0))
+    t60 = t37 + (second_21 * t57 + np.where(t3 != 0.0, second_22 * t58, 0.0))
+    t61 = wanted_31 * (t34 + (second_31 * t57 + np.where(t3 != 0.0, second_32 * t58, 0.0))) + wanted_11 * (t51 * t59 - np.where(t49 != 0.0, t50 * t60, 0.0))
+    t62 = np.arctan2((t56 + wanted_21 * (t51 * t55 + np.where(t49 != 0.0, t50 * t54, 0.0))), t61 + wanted_21 * (t51 * t60 + np.where(t49 != 0.0, t50 * t59, 0.0)))
+
+    # results
+    angles = np.empty((*_leading, 6), _real)
+    share = np.empty((*_leading, 1), _real)
+    angles[..., 0] = np.arctan2(np.where(t21 != 0.0, t22, 0.0), t23)
+    angles[..., 1] = np.arctan2(np.where(t3 != 0.0, t12, 0.0), np.where(t3 != 0.0, t9, 0.0))
+    angles[..., 2] = t40
+    angles[..., 3] = np.arctan2(np.where(t49 != 0.0, t50, 0.0), t51)
+    angles[..., 4] = np.arctan2(np.where(t3 != 0.0, t42, 0.0), np.where(t3 != 0.0, t41, 0.0))
+    angles[..., 5] = t62
+    share[..., 0] = t4
+    return angles.reshape(_leading + (2, 3)), share.reshape(_leading + (1,))
+
+
+def spherical_elbow(before, behind, square):
+    """angles of a joint, in two ways, at which a point behind it is sqrt(square) from one before it: 58 operations.
+
+    in   before[3] = (s1, s2, s3)
+    in   behind[3] = (w1, w2, w3)
+    in   square[1] = (distance_squared)
+    out  angles[2]
+    out  share[1]
+    """
+    before = np.asarray(before)
+    behind = np.asarray(behind)
+    square = np.asarray(square)
+    _leading = np.broadcast_shapes(before.shape[:-1], behind.shape[:-1], square.shape[:-1])
+    _real = np.result_type(before, behind, square, np.float32)
+
+    # inputs, sines and cosines
+    s1 = before[..., 0]
+    w1 = behind[..., 0]
+    s2 = before[..., 1]
+    w2 = behind[..., 1]
+    s3 = before[..., 2]
+    w3 = behind[..., 2]
+    distance_squared = square[..., 0]
+
+    # terms
+    t1 = s1 * w1 + s2 * w2
+    t2 = w1 * s2 - s1 * w2
+    t3 = np.sqrt((t1 * t1 + t2 * t2))
+    t4 = 0.5 * (s1 * s1) + 0.5 * (s2 * s2) + 0.5 * (s3 * s3)
+    t5 = t4 + 0.5 * (w1 * w1) + 0.5 * (w2 * w2) + 0.5 * (w3 * w3)
+    t6 = np.where(t3 != 0.0, (t5 - 0.5 * distance_squared - s3 * w3) / t3, 0.0)
+    t7 = np.maximum((-1), np.minimum(1, t6))
+    t8 = t2 * t7
+    t9 = np.sqrt(np.maximum(0.0, (1 + t7) * (1 - t7)))
+    t10 = t1 * t9
+    t11 = t1 * t7
+    t12 = t2 * t9
+    t13 = np.arctan2(np.where(t3 != 0.0, (t8 + t10) / t3, 0.0), np.where(t3 != 0.0, (t11 - t12) / t3, 0.0))
+    t14 = np.arctan2(np.where(t3 != 0.0, (t8 - t10) / t3, 0.0), np.where(t3 != 0.0, (t11 + t12) / t3, 0.0))
+
+    # results
+    angles = np.empty((*_leading, 2), _real)
+    share = np.empty((*_leading, 1), _real)
+    angles[..., 0] = t13
+    angles[..., 1] = t14
+    share[..., 0] = t6
+    return angles.reshape(_leading + (2,)), share.reshape(_leading + (1,))

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0aa601dfd9013d2559eb9272531f257c8ea15b435f476b3ca5d50b4a29953735.
+Made from templates/kernel.py.j2; inputs 0276427ac98495f56c12e9edb72f862f13e968c8a353608c052885f30fabe68c.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
+ * Made from templates/kernel.c.j2; inputs 01225f2135ad2d7bdff5cf57b7b5d8b28192b58c1045058cb43fa821dc616ddf.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12";
+const char sanchez_8r_position_digest[] = "01225f2135ad2d7bdff5cf57b7b5d8b28192b58c1045058cb43fa821dc616ddf";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_position.h: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs b49f244686773b325f032ed5af9543018afe07602bd2afc669ef27702fb68c12.
+ * Made from templates/kernel.h.j2; inputs 01225f2135ad2d7bdff5cf57b7b5d8b28192b58c1045058cb43fa821dc616ddf.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

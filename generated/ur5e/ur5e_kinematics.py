@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b9b514a023acc8c56ac93e408ac13926597a51409139d734e5e7bda502b18d5f.
+Made from templates/kernel.py.j2; inputs 1448771e1a081ac70f4338378f05efbb34bbb453b40d6ba3246dc9f0b6059437.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

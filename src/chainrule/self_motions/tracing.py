@@ -48,6 +48,10 @@ TURN = 0.5  # the most that a step may turn, rad
 NODES = 48  # certified points kept between two output points
 HISTORY = 3  # points that the predictor uses
 NEWTON = 12  # most corrections
+SETTLED = 1e-9  # the last correction, rad
+LEFT = 1e-16  # |J^+| size^2 of the last correction of a point whose tangent is taken anew: an error of rounding
+POWERS = 4  # of the matrix whose largest eigenvalue is bounded
+PARTS = 8  # of an interval between output points in which a slope is looked at for a change of sign
 LEAST_TURN, MOST_TURN = 0.02, 0.7  # of the tangent between two ends of a length rule
 BALLS = 6.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
 FINEST = 1e-11  # the error of a length rule, relative to its chord, that is asked for
@@ -125,6 +129,7 @@ class Trace:
         tangent, bend: (k, n) dq/ds and d2q/ds2 of the scaled joints x = q / unit.
         s: (k,) length so far.
         h: (k,) manipulability; slope: (k,) its change along the curve, dH/ds.
+        knots: (e, 3) extrema between the points: which joint from 0 (H: n), at which length, and its value.
         box: (n, 2) least and greatest joint values; span: least and greatest H.
         reason: why it ended (:data:`REASONS`); steps: certified steps; evaluations: of the generated functions.
         closure: largest difference between the return and the start, rad; winding: (n,) turns of each joint.
@@ -137,6 +142,7 @@ class Trace:
     s: Array
     h: Array
     slope: Array
+    knots: Array
     box: Array
     span: tuple[float, float]
     reason: str
@@ -197,7 +203,7 @@ def second_derivative(system: System, x: Array, jacobian: Array, radius: float) 
         turns = np.where(pair, math.sqrt(n) * radius + np.where(np.eye(n, dtype=bool), 0.0, 0.5), 0.0)
         bound = np.sqrt(bound**2 + turns**2)
     y = np.ones(n)
-    for _ in range(6):
+    for _ in range(POWERS):
         image = bound @ y
         ratio = float((image / y).max())
         y = np.maximum(image / max(ratio, 1e-300), 1e-6)
@@ -246,11 +252,12 @@ class Follower:
     # ---- corrections -------------------------------------------------------------------------------------------
 
     def correct(
-        self, x: Array, normal: Array | None = None, offset: float = 0.0
+        self, x: Array, normal: Array | None = None, offset: float = 0.0, *, loose: bool = False
     ) -> tuple[Array, Array, float, Array, float] | None:
         """Newton's method onto the curve, in the plane normal.x = offset where one is given.
 
         Returns the point, its tangent, b, the scaled Jacobian and the last correction's size; None if it diverges.
+        ``loose`` where the tangent (taken before the last correction) is not needed: the point is as exact.
         """
         before = math.inf
         for _ in range(NEWTON):
@@ -268,7 +275,7 @@ class Follower:
             if not size <= max(0.5 * before, 1e-11):
                 return None
             x = x + step
-            if size <= 1e-9:
+            if size <= SETTLED or (loose and bound * size**2 <= LEFT):
                 return x, t, bound, jacobian, size
             before = size
         return None
@@ -424,7 +431,7 @@ class Follower:
         for place in LOBATTO_NODES[1:-1] * chord:
             j = min(max(int(np.searchsorted(along, place)) - 1, 0), len(nodes) - 2)
             guess = between(nodes[j], nodes[j + 1], d, (place - along[j]) / (along[j + 1] - along[j]))
-            found = self.correct(guess, d, float(d @ first.x) + place)
+            found = self.correct(guess, d, float(d @ first.x) + place, loose=True)
             if found is None or np.linalg.norm(found[0] - nodes[j].x) > nodes[j].radius:
                 if not always:
                     return False
@@ -471,13 +478,14 @@ class Follower:
         h = np.array([row.h for row in rows])
         box = np.stack([x.min(axis=0), x.max(axis=0)], axis=1)
         span = [float(h.min()), float(h.max())]
+        knots: list[tuple[float, float, float]] = []
         for a, b in pairwise(rows):
-            for i in range(n + 1):
-                for row in self.extrema(a, b, i):
-                    if i < n:
-                        box[i] = min(box[i, 0], row.x[i]), max(box[i, 1], row.x[i])
-                    else:
-                        span = [min(span[0], row.h), max(span[1], row.h)]
+            for i, place, value in self.extrema(a, b):
+                if i < n:
+                    box[i] = min(box[i, 0], value), max(box[i, 1], value)
+                else:
+                    span = [min(span[0], value), max(span[1], value)]
+                knots.append((i, place, value * unit[i] if i < n else value))
         turns = np.rint((x[-1] - x[0]) / (2.0 * math.pi)) if reason == "closed" else np.zeros(n)
         return Trace(
             x * unit,
@@ -486,6 +494,7 @@ class Follower:
             np.array([row.s for row in rows]),
             h,
             np.array([row.slope for row in rows]),
+            np.array(knots, float).reshape(-1, 3),
             box * unit[:, None],
             (span[0], span[1]),
             reason,
@@ -496,35 +505,40 @@ class Follower:
             self.contraction,
         )
 
-    def extrema(self, a: Row, b: Row, i: int) -> list[Row]:
-        """Extrema of joint i (of H for i = n) between two output points."""
-        width = b.s - a.s
-        if width <= 0.0:
+    def extrema(self, a: Row, b: Row) -> list[tuple[int, float, float]]:
+        """Extrema between two output points: of which joint (n: of H), at which length, and the value."""
+        if b.s <= a.s:
             return []
-        shape = [slope_at(a, b, i, u) for u in (0.0, 0.25, 0.5, 0.75, 1.0)]
-        signs = [value > 0.0 for value in shape]
-        found: list[Row] = []
-        for k in range(4):
-            if signs[k] != signs[k + 1]:
-                row = self.extremum(a, b, i, 0.25 * k, 0.25 * (k + 1), shape[k], shape[k + 1])
-                found += [row] if row is not None else []
+        found = []
+        for i in range(len(a.x) + 1):
+            slopes = [slope_at(a, b, i, k / PARTS) for k in range(PARTS + 1)]
+            for k in range(PARTS):
+                if (slopes[k] > 0.0) != (slopes[k + 1] > 0.0):
+                    place = self.extremum(a, b, i, k / PARTS, (k + 1) / PARTS, slopes[k], slopes[k + 1])
+                    found += [(i, *place)] if place is not None else []
         return found
 
-    def extremum(self, a: Row, b: Row, i: int, low: float, high: float, g_low: float, g_high: float) -> Row | None:
-        """The extremum by the rule of false position (Illinois) on the slope, evaluated on the curve itself."""
-        row, side, n = None, 0, len(a.x)
-        for turn in range(12):
-            if turn == 0 and i < n:
-                u = root_between(a, b, i, low, high)
-            else:
-                u = low - g_low * (high - low) / (g_high - g_low) if g_high != g_low else 0.5 * (low + high)
-            found = self.correct(interpolated(a, b, u))
+    def extremum(
+        self, a: Row, b: Row, i: int, low: float, high: float, g_low: float, g_high: float
+    ) -> tuple[float, float] | None:
+        """The place and value of an extremum on the curve: false position (Illinois), for joints Newton's method.
+
+        The last step of Newton's method is not made but taken from the parabola.
+        """
+        n, width, side = len(a.x), b.s - a.s, 0
+        scale = 1.0 if i < n else abs(a.slope) + abs(b.slope)
+        place = value = math.nan
+        u = root_between(a, b, i, low, high) if i < n else secant(low, high, g_low, g_high)
+        for _ in range(12):
+            found = self.correct(interpolated(a, b, u), loose=True)
             if found is None:
                 return None
-            row = self.row(found[0], a.s + u * (b.s - a.s))
-            g = float(row.t[i]) if i < n else row.slope
-            scale = 1.0 if i < n else abs(a.slope) + abs(b.slope)
-            if abs(g) <= 1e-6 * scale or (high - low) < 1e-7:
+            row = self.row(found[0], a.s + u * width)
+            g, bend = (float(row.t[i]), float(row.k[i])) if i < n else (row.slope, math.nan)
+            place, value = row.s, float(row.x[i]) if i < n else row.h
+            if i < n and abs(g) <= 1e-5 and abs(g) <= 1e-4 * width * abs(bend):
+                return place - g / bend, value - 0.5 * g * g / bend
+            if abs(g) <= (1e-9 if i < n else 1e-6 * scale) or high - low < 1e-7:
                 break
             if (g > 0.0) == (g_low > 0.0):
                 low, g_low = u, g
@@ -534,7 +548,9 @@ class Follower:
                 high, g_high = u, g
                 g_low = 0.5 * g_low if side == -1 else g_low
                 side = -1
-        return row
+            newton = u - g / (bend * width) if i < n and bend != 0.0 else low
+            u = newton if low < newton < high else secant(low, high, g_low, g_high)
+        return place, value
 
 
 def minimum_norm(jacobian: Array, e: Array) -> tuple[Array, float] | None:
@@ -575,10 +591,20 @@ def hermite(x0: Array, d0: Array, x1: Array, d1: Array, u: float) -> Array:
     return found
 
 
+def quintic(first: tuple[Array, Array, Array], last: tuple[Array, Array, Array], u: Array | float) -> Array:
+    """The polynomial of degree 5 with these values, first and second derivatives at 0 and 1."""
+    (x0, d0, c0), (x1, d1, c1) = first, last
+    rise = x1 - x0
+    a = 10 * rise - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
+    b = -15 * rise + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
+    c = 6 * rise - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
+    return np.asarray(x0 + u * (d0 + u * (0.5 * c0 + u * (a + u * (b + u * c)))))
+
+
 def interpolated(a: Row, b: Row, u: float) -> Array:
-    """The cubic between two output points."""
+    """The quintic between two output points."""
     width = b.s - a.s
-    return hermite(a.x, width * a.t, b.x, width * b.t, u)
+    return quintic((a.x, width * a.t, width**2 * a.k), (b.x, width * b.t, width**2 * b.k), u)
 
 
 def slope_at(a: Row, b: Row, i: int, u: float) -> float:
@@ -591,13 +617,20 @@ def slope_at(a: Row, b: Row, i: int, u: float) -> float:
     return (1.0 - 3.0 * u) * v * a.slope + (1.0 - 3.0 * v) * u * b.slope + 6.0 * u * v * rise
 
 
+def secant(low: float, high: float, g_low: float, g_high: float) -> float:
+    """Where the line through two values is zero; the middle where they are equal."""
+    return low - g_low * (high - low) / (g_high - g_low) if g_high != g_low else 0.5 * (low + high)
+
+
 def root_between(a: Row, b: Row, i: int, low: float, high: float) -> float:
-    """The root of :func:`slope_at` between two places of different sign, by bisection."""
-    rising = slope_at(a, b, i, high) > 0.0
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        if (slope_at(a, b, i, middle) > 0.0) == rising:
-            high = middle
+    """The root of :func:`slope_at` between two places of different sign, by false position."""
+    g_low, g_high = slope_at(a, b, i, low), slope_at(a, b, i, high)
+    u = secant(low, high, g_low, g_high)
+    for _ in range(8):
+        at = slope_at(a, b, i, u)
+        if (at > 0.0) == (g_high > 0.0):
+            high, g_high, g_low = u, at, 0.5 * g_low
         else:
-            low = middle
-    return 0.5 * (low + high)
+            low, g_low, g_high = u, at, 0.5 * g_high
+        u = secant(low, high, g_low, g_high)
+    return u
