@@ -40,7 +40,7 @@ CONTINUATION = {
     "longest_step": 0.5,
     "step_turn": 0.5,
     "nodes": 48,
-    "history": 3,
+    "history": 4,
     "newton": 12,
     "settled": 1e-9,
     "left": 1e-16,

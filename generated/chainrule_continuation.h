@@ -9,7 +9,7 @@
  *    and |T(x) - x0|^2 <= s^2 + (c r / 2)^2. So for every |s| <= r sqrt(1 - c^2 / 4) the ball holds exactly one point of
  *    the curve with t.(x - x0) = s: within that slab of the ball the solutions are one arc, through x0. A step to a
  *    solution in it cannot have changed curves.
- * 2. Step. Predict by the polynomial through up to 3 points and tangents, no farther than the slab; correct by
+ * 2. Step. Predict by the polynomial through up to 4 points and tangents, no farther than the slab; correct by
  *    Newton's method, x -= J^+ e; halve the step where that does not contract.
  * 3. Closure. Where the start, revolute joints shifted by whole turns, lies ahead within the slab, the arc leads to it.
  * 4. Length. As often as the tangent has turned a little (or 6 radii were passed), the length since then is the integral of 1 / (t.d) over the
@@ -154,12 +154,13 @@ static double cr_distance(const double *a, const double *b)
     return sqrt(sum);
 }
 
-/* -J^+ e and the Frobenius norm of J^+; 0 where a row is zero. The rows are made orthogonal one after the other, J = L Q
- * with L of unit diagonal, all later rows at a time: a lane is a row. */
-static int cr_minimum_norm(const double *jacobian, const double *e, double *step, double *bound)
+/* -J^+ e and a bound of |J^+|, its Frobenius norm unless `sharp`; 0 where a row is zero. The rows are made orthogonal one
+ * after the other, J = L Q with L of unit diagonal, all later rows at a time: a lane is a row. With the rows of Q of length
+ * 1 / sqrt(D), |J^+|^2 is the largest eigenvalue of G = L^-T D L^-1, which is at most the root of |G^2| (Frobenius). */
+static int cr_minimum_norm(const double *jacobian, const double *e, int sharp, double *step, double *bound)
 {
     double q[CR_N][CR_LANES] = { { 0.0 } }, inverse[CR_M][CR_LANES] = { { 0.0 } }; /* columns: of Q, and of 1 / L */
-    double y[CR_LANES] = { 0.0 }, over[CR_LANES] = { 0.0 }, share[CR_LANES], total[CR_LANES] = { 0.0 };
+    double y[CR_LANES] = { 0.0 }, over[CR_LANES] = { 0.0 }, share[CR_LANES];
     for (int i = 0; i < CR_M; ++i) {
         for (int k = 0; k < CR_N; ++k) {
             q[k][i] = jacobian[i * CR_N + k];
@@ -198,14 +199,7 @@ static int cr_minimum_norm(const double *jacobian, const double *e, double *step
             y[j] -= share[j] * part;
         }
     }
-    for (int k = 0; k < CR_M; ++k) {
-        for (int j = 0; j < CR_LANES; ++j) {
-            total[j] += inverse[k][j] * inverse[k][j] * over[j];
-        }
-    }
-    double sum = 0.0;
     for (int j = 0; j < CR_M; ++j) {
-        sum += total[j];
         y[j] *= over[j];
     }
     for (int k = 0; k < CR_N; ++k) {
@@ -215,7 +209,42 @@ static int cr_minimum_norm(const double *jacobian, const double *e, double *step
         }
         step[k] = -part;
     }
-    *bound = sqrt(sum);
+    double squares = 0.0;
+    if (!sharp) {
+        double total[CR_LANES] = { 0.0 };
+        for (int k = 0; k < CR_M; ++k) {
+            for (int j = 0; j < CR_LANES; ++j) {
+                total[j] += inverse[k][j] * inverse[k][j] * over[j];
+            }
+        }
+        for (int j = 0; j < CR_M; ++j) {
+            squares += total[j];
+        }
+        *bound = sqrt(squares);
+        return 1;
+    }
+    double gram[CR_M][CR_LANES] = { { 0.0 } };
+    for (int k = 0; k < CR_M; ++k) {
+        for (int l = k; l < CR_M; ++l) {
+            double sum = 0.0;
+            for (int j = l; j < CR_M; ++j) { /* L is lower triangular */
+                sum += inverse[k][j] * inverse[l][j] * over[j];
+            }
+            gram[k][l] = gram[l][k] = sum;
+        }
+    }
+    for (int k = 0; k < CR_M; ++k) {
+        double row[CR_LANES] = { 0.0 };
+        for (int l = 0; l < CR_M; ++l) {
+            for (int j = 0; j < CR_LANES; ++j) {
+                row[j] += gram[k][l] * gram[l][j];
+            }
+        }
+        for (int j = 0; j < CR_M; ++j) {
+            squares += row[j] * row[j];
+        }
+    }
+    *bound = sqrt(sqrt(sqrt(squares)));
     return 1;
 }
 
@@ -285,7 +314,7 @@ static int cr_correct(chainrule_curve *c, const double *guess, const double *nor
     double e[CR_LANES], step[CR_N], before = DBL_MAX;
     cr_copy(f->x, guess);
     for (int turn = 0; turn < 12; ++turn) {
-        if (!cr_held(c, f->x, e, f->jacobian, f->t) || !cr_minimum_norm(f->jacobian, e, step, &f->bound)) {
+        if (!cr_held(c, f->x, e, f->jacobian, f->t) || !cr_minimum_norm(f->jacobian, e, !loose, step, &f->bound)) {
             return 0;
         }
         if (normal) {
@@ -405,19 +434,22 @@ static int cr_singular(const chainrule_curve *c, const cr_found *f)
     return !(sqrt(squares) * f->bound * c->settings.singular < 1.0);
 }
 
-/* The Hermite polynomial through the last nodes and their tangents, `step` beyond the last one. */
-static void cr_predict(const cr_node *history, int count, double step, double *guess)
+/* The Hermite polynomial through nodes at `places` (one for each) and their tangents times `scales`, at another place. */
+static void cr_hermite_through(const cr_node *nodes, const double *places, const double *scales, int count, double at,
+                               double *guess)
 {
-    double knots[2 * 3], table[2 * 3][CR_N];
+    double knots[2 * 4], table[2 * 4][CR_N];
     const int knotted = 2 * count;
     for (int k = 0; k < knotted; ++k) {
-        knots[k] = history[k / 2].s - history[count - 1].s;
-        cr_copy(table[k], history[k / 2].x);
+        knots[k] = places[k / 2];
+        cr_copy(table[k], nodes[k / 2].x);
     }
     for (int order = 1; order < knotted; ++order) { /* divided differences in place, the last entries first */
         for (int k = knotted - 1; k >= order; --k) {
             if (order == 1 && k % 2 == 1) {
-                cr_copy(table[k], history[k / 2].t);
+                for (int i = 0; i < CR_N; ++i) {
+                    table[k][i] = nodes[k / 2].t[i] * scales[k / 2];
+                }
             } else {
                 const double over = 1.0 / (knots[k] - knots[k - order]);
                 for (int i = 0; i < CR_N; ++i) {
@@ -431,9 +463,20 @@ static void cr_predict(const cr_node *history, int count, double step, double *g
     }
     for (int k = knotted - 1; k >= 0; --k) {
         for (int i = 0; i < CR_N; ++i) {
-            guess[i] = table[k][i] + (step - knots[k]) * guess[i];
+            guess[i] = table[k][i] + (at - knots[k]) * guess[i];
         }
     }
+}
+
+/* `step` beyond the last of some nodes. */
+static void cr_predict(const cr_node *history, int count, double step, double *guess)
+{
+    double places[4], scales[4];
+    for (int k = 0; k < count; ++k) {
+        places[k] = history[k].s - history[count - 1].s;
+        scales[k] = 1.0;
+    }
+    cr_hermite_through(history, places, scales, count, step, guess);
 }
 
 /* The cubic with these values and derivatives at 0 and 1. */
@@ -468,7 +511,7 @@ static int cr_rule(chainrule_curve *c, const cr_node *nodes, int end, int always
 {
     const cr_node *first = nodes, *last = nodes + end;
     const double chord = cr_distance(last->x, first->x);
-    double d[CR_LANES], values[CR_ORDER], along[CR_ROOM], guess[CR_LANES];
+    double d[CR_LANES], values[CR_ORDER], along[CR_ROOM], scales[CR_ROOM], guess[CR_LANES];
     cr_found f;
     if (chord == 0.0) {
         return 1;
@@ -481,8 +524,10 @@ static int cr_rule(chainrule_curve *c, const cr_node *nodes, int end, int always
     }
     const double offset = cr_dot(d, first->x);
     for (int j = 0; j <= end; ++j) {
+        const double cosine = cr_dot(d, nodes[j].t);
         along[j] = cr_dot(d, nodes[j].x) - offset;
-        if (!always && (cr_dot(d, nodes[j].t) < 0.3 || (j > 0 && along[j] <= along[j - 1]))) {
+        scales[j] = 1.0 / cosine;
+        if (!always && (cosine < 0.3 || (j > 0 && along[j] <= along[j - 1]))) {
             return 0;
         }
     }
@@ -492,7 +537,14 @@ static int cr_rule(chainrule_curve *c, const cr_node *nodes, int end, int always
         while (j < end - 1 && along[j + 1] < place) {
             ++j;
         }
-        cr_between(nodes + j, nodes + j + 1, d, (place - along[j]) / (along[j + 1] - along[j]), guess);
+        if (always) {
+            cr_between(nodes + j, nodes + j + 1, d, (place - along[j]) / (along[j + 1] - along[j]), guess);
+        } else {
+            const int used = end + 1 < 4 ? end + 1 : 4; /* nodes around the place */
+            int from = j + 1 - used / 2 > 0 ? j + 1 - used / 2 : 0;
+            from = from + used > end + 1 ? end + 1 - used : from;
+            cr_hermite_through(nodes + from, along + from, scales + from, used, place, guess);
+        }
         if (!cr_correct(c, guess, d, offset + place, 1, &f) || cr_distance(f.x, nodes[j].x) > nodes[j].radius) {
             if (!always) {
                 return 0;
@@ -739,7 +791,7 @@ static int cr_extrema(chainrule_curve *c, double *box)
 /* Follow one curve from `start`; box (joints, 2). What there is to say is in curve->result. */
 static void chainrule_follow(chainrule_curve *c, const double *start, double *box)
 {
-    cr_node nodes[CR_ROOM], history[3], origin;
+    cr_node nodes[CR_ROOM], history[4], origin;
     cr_found f;
     double guess[CR_LANES], ahead[CR_LANES], e[CR_LANES];
     int count = 1, remembered = 1, reason = -1;
@@ -844,8 +896,8 @@ static void chainrule_follow(chainrule_curve *c, const double *start, double *bo
         smallest = cr_least(count == 1 ? here->radius : smallest, next->radius);
         next->s = here->s + distance * (1.0 + turned * turned / 24.0);
         count += 1;
-        if (remembered == 3) {
-            memmove(history, history + 1, sizeof(cr_node) * (3 - 1));
+        if (remembered == 4) {
+            memmove(history, history + 1, sizeof(cr_node) * (4 - 1));
             remembered -= 1;
         }
         history[remembered] = *next;
@@ -919,7 +971,7 @@ static void chainrule_correct_all(chainrule_curve *c, ptrdiff_t count, const cha
             x[i] = q[k * CR_N + i] / c->unit[i];
         }
         for (int turn = 0; turn < times; ++turn) {
-            if (!cr_held(c, x, e, jacobian, tangent) || !cr_minimum_norm(jacobian, e, step, &bound)) {
+            if (!cr_held(c, x, e, jacobian, tangent) || !cr_minimum_norm(jacobian, e, 0, step, &bound)) {
                 break;
             }
             for (int i = 0; i < CR_N; ++i) {

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c377432d9de4b264bc0fb84a9e577be707acb8e38e47d6d915c10784eb3449ac.
+Made from templates/kernel.py.j2; inputs 54fd598094100ed5744e3429fe8e28f216ff50e4a579a5982da5b4693e4dd788.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

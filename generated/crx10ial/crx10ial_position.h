@@ -1,5 +1,5 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs adeb95e1f675a7103e18d370086d46fb671848cfb9e973c124c1d0fe79cbc81b.
+ * Made from templates/kernel.h.j2; inputs 41aea203b6e04f81294bb81657aaee12ca367decc0ba2f7750b4e90208242b81.
  * 1276 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 37a61242250b5563f00c77ff95ac30bfd55cecef05b33b16b592bdc3604bccc3.
+ * Made from templates/kernel.h.j2; inputs acc6f1fa3f8805917fa9135d1aa456c5f52e56fc0a0fbcc7367661613a6b94ac.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 37a61242250b5563f00c77ff95ac30bfd55cecef05b33b16b592bdc3604bccc3.
+Made from templates/kernel.py.j2; inputs acc6f1fa3f8805917fa9135d1aa456c5f52e56fc0a0fbcc7367661613a6b94ac.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs da08ab03fd6987331f0482602da3a36354bd355fecfc6c28082486a697e037c4.
+Made from templates/kernel.py.j2; inputs 46c3dfeeec24b6c9718ab8592d6b5f2eb14b894b89fd3d67356b39e1faf0b3b0.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 164e5ee78ae9bfd30c990d531a7a89ba5fe039fd9dddc31e9b51ea45b5f8f5fc.
+Made from templates/kernel.py.j2; inputs 6f7d88d7a5bf320c9996f47268a7f28026ccc2353b031f95e4d8b04c43f818c0.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

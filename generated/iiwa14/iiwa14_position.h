@@ -1,5 +1,5 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 414f5b0ba6297b1d6ea1f1f1a22c9acf42fb3825196dd7af7c14702f3543125b.
+ * Made from templates/kernel.h.j2; inputs cb0e173d9e48257aeb0eb32ff86c138e47473e8300c98618ac4548a06d37017b.
  * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 414f5b0ba6297b1d6ea1f1f1a22c9acf42fb3825196dd7af7c14702f3543125b.
+Made from templates/kernel.py.j2; inputs cb0e173d9e48257aeb0eb32ff86c138e47473e8300c98618ac4548a06d37017b.
 1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 479c160addc91e13ebabd6916dac0b303ecdd0cbfa906e96348200069f83c250.
+ * Made from templates/kernel.c.j2; inputs db55851a11a4ce0601b9b38158ca9e81921473dda833bd38bb3163311c914bec.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "479c160addc91e13ebabd6916dac0b303ecdd0cbfa906e96348200069f83c250";
+const char jaco2_kinematics_digest[] = "db55851a11a4ce0601b9b38158ca9e81921473dda833bd38bb3163311c914bec";
 #endif
 
 #define LANES 64

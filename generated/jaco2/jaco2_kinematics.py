@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 479c160addc91e13ebabd6916dac0b303ecdd0cbfa906e96348200069f83c250.
+Made from templates/kernel.py.j2; inputs db55851a11a4ce0601b9b38158ca9e81921473dda833bd38bb3163311c914bec.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs bc366ffc0fdc784752a1919cd6016ad43a6ecd5087d10cd6aa0597a25e486917.
+ * Made from templates/kernel.c.j2; inputs 53ccfaf0c37d2506a7cc87ba1bf2e7216ba4cc4dfd8857ed888a885f7e6bc5fe.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "bc366ffc0fdc784752a1919cd6016ad43a6ecd5087d10cd6aa0597a25e486917";
+const char orthogonal_3r_cuspidality_digest[] = "53ccfaf0c37d2506a7cc87ba1bf2e7216ba4cc4dfd8857ed888a885f7e6bc5fe";
 #endif
 
 #define LANES 32

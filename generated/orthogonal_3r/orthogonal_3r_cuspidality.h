@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs bc366ffc0fdc784752a1919cd6016ad43a6ecd5087d10cd6aa0597a25e486917.
+ * Made from templates/kernel.h.j2; inputs 53ccfaf0c37d2506a7cc87ba1bf2e7216ba4cc4dfd8857ed888a885f7e6bc5fe.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 359fbf06d58925ca14f8bfcb5a5859fe6bce90628a430f29142e03acb878f66e.
+ * Made from templates/kernel.h.j2; inputs 9c9be81bde9b2ab1002d10b6684795af81566d28c1bfbfb0f82da99039b2f349.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs 5490f85ec4b2942288edc59557f708c6e6186027bdf75897583dc34295ed6505.
+ * Made from templates/kernel.h.j2; inputs 115dc18e8aafe3e04d89d5f105559d2613e601b352272de61614770eb8f5faee.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 18f213cdb596d060ed50de62dadea5498d8d0c30afdc029e0ccd6fd3ac0fc632.
+ * Made from templates/kernel.h.j2; inputs 2a9ed7b80995f038bf8abe18ad389bdb63a49825a78a118d03f4b8a1564c021e.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

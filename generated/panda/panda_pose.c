@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs aaa89eb8b95c2855c7c535dd62847a670f798444ef25f762529c24e6d91700a1.
+ * Made from templates/kernel.c.j2; inputs 30d872ff8f48ff3cf8efd78e1482a3a68cae4ab3cde2859966f7e1e8667c8bcb.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "aaa89eb8b95c2855c7c535dd62847a670f798444ef25f762529c24e6d91700a1";
+const char panda_pose_digest[] = "30d872ff8f48ff3cf8efd78e1482a3a68cae4ab3cde2859966f7e1e8667c8bcb";
 #endif
 
 #define LANES 64

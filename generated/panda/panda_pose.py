@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs aaa89eb8b95c2855c7c535dd62847a670f798444ef25f762529c24e6d91700a1.
+Made from templates/kernel.py.j2; inputs 30d872ff8f48ff3cf8efd78e1482a3a68cae4ab3cde2859966f7e1e8667c8bcb.
 2645 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.c: kinematics of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 3722f8e5a8f3985f0bd95dae8e9c8238c4ddfdea84c457c0e713ad9f7871f8f1.
+ * Made from templates/kernel.c.j2; inputs c8b0f309f242dcb3ec38508c2f2c9ad37f648f79523f628a252889ee2bcb1b24.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_kinematics_digest[] = "3722f8e5a8f3985f0bd95dae8e9c8238c4ddfdea84c457c0e713ad9f7871f8f1";
+const char planar_ppp_kinematics_digest[] = "c8b0f309f242dcb3ec38508c2f2c9ad37f648f79523f628a252889ee2bcb1b24";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3722f8e5a8f3985f0bd95dae8e9c8238c4ddfdea84c457c0e713ad9f7871f8f1.
+Made from templates/kernel.py.j2; inputs c8b0f309f242dcb3ec38508c2f2c9ad37f648f79523f628a252889ee2bcb1b24.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 3b630869ba30d2fc3a1a14b9a9651dcebe4d79ba07f80bef1cc29c1cfff96210.
+ * Made from templates/kernel.c.j2; inputs fd58bb2cf48e0fcaf669f203b81ddc107e4666fd6178fc1bd0365a9573abb86c.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "3b630869ba30d2fc3a1a14b9a9651dcebe4d79ba07f80bef1cc29c1cfff96210";
+const char planar_ppp_motion_digest[] = "fd58bb2cf48e0fcaf669f203b81ddc107e4666fd6178fc1bd0365a9573abb86c";
 #endif
 
 #define LANES 64

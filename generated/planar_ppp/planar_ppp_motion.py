@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3b630869ba30d2fc3a1a14b9a9651dcebe4d79ba07f80bef1cc29c1cfff96210.
+Made from templates/kernel.py.j2; inputs fd58bb2cf48e0fcaf669f203b81ddc107e4666fd6178fc1bd0365a9573abb86c.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 361ad8e510d4988c865a638864e6fc24acf20d0586f14ee0a80c4fbbc4959b36.
+ * Made from templates/kernel.h.j2; inputs 82ab7a30d0c11ae14e716b8746c942bc813abae5b62cee4a010653b210abb15c.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 23d6d80fdad0071ce365250d7e0aab3ba47441f7b6aed7569fd779ef373f8f8b.
+ * Made from templates/kernel.c.j2; inputs c901e8b388a004fd92e25fc164635c634479ffe9d9736ac540cc3c381ae1c859.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "23d6d80fdad0071ce365250d7e0aab3ba47441f7b6aed7569fd779ef373f8f8b";
+const char planar_ppr_kinematics_digest[] = "c901e8b388a004fd92e25fc164635c634479ffe9d9736ac540cc3c381ae1c859";
 #endif
 
 #define LANES 64

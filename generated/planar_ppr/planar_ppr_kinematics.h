@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 23d6d80fdad0071ce365250d7e0aab3ba47441f7b6aed7569fd779ef373f8f8b.
+ * Made from templates/kernel.h.j2; inputs c901e8b388a004fd92e25fc164635c634479ffe9d9736ac540cc3c381ae1c859.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

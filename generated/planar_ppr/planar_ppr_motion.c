@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 588e688ebc42c7c498b782e906d542dd039f7993772e2bff51817c35de50e660.
+ * Made from templates/kernel.c.j2; inputs da96dfa38548e1b774c2dc948353a24775752869ab434548b698df7bb04b9bb6.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "588e688ebc42c7c498b782e906d542dd039f7993772e2bff51817c35de50e660";
+const char planar_ppr_motion_digest[] = "da96dfa38548e1b774c2dc948353a24775752869ab434548b698df7bb04b9bb6";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 588e688ebc42c7c498b782e906d542dd039f7993772e2bff51817c35de50e660.
+Made from templates/kernel.py.j2; inputs da96dfa38548e1b774c2dc948353a24775752869ab434548b698df7bb04b9bb6.
 194 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7cc150c18adef7844b5aa09f2454aae4e3c94348747b126f73fc83cc4e58dc85.
+Made from templates/kernel.py.j2; inputs 11c113f8ab8ff36d591486f45d21a1da74ef007c76135fe0e7e2de43f32816a1.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs c4b56b85354456658328bc94044892f237107398f51e1c885fbddbf871913c60.
+ * Made from templates/kernel.h.j2; inputs 2b47553e4354a857c57a53f1101eb1ac7d2274a47b892cf5ed6a828aa6849784.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c4b56b85354456658328bc94044892f237107398f51e1c885fbddbf871913c60.
+Made from templates/kernel.py.j2; inputs 2b47553e4354a857c57a53f1101eb1ac7d2274a47b892cf5ed6a828aa6849784.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b4972468b426b0f90717407087a677ef30f4ef9a447d9df7c56fecd3917f4d23.
+Made from templates/kernel.py.j2; inputs 5964fac1e3adb12e212298911a058961fdf6107a2b65aedce4e3a8d71337b8d4.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1ffcfa479ca6c5cffb3d79c02e539baff16bbba439541c939947c8b04ff157bd.
+Made from templates/kernel.py.j2; inputs beb8fd37e1e5b128211746ea811a80cd562452e478a2dbb27d88b67eabf02dad.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

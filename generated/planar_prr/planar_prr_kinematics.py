@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 326dbc153c084e73c7def82880cbbf3d0921c76efb2b309f6e21b6ed068c61a3.
+Made from templates/kernel.py.j2; inputs 7027b0a9e59f77ad33d9e8ec44fefd4e9853fa0873f7db784f9e98f844d31141.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

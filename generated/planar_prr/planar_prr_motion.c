@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 4e73eb3d4cddaa64ec33d3c25f0c207498eec480716cf4530000e02cde30ccdd.
+ * Made from templates/kernel.c.j2; inputs 2ddcb0cce750e39b1455795538a27d9d3838118e9f030a51bf7a43360324c9e8.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "4e73eb3d4cddaa64ec33d3c25f0c207498eec480716cf4530000e02cde30ccdd";
+const char planar_prr_motion_digest[] = "2ddcb0cce750e39b1455795538a27d9d3838118e9f030a51bf7a43360324c9e8";
 #endif
 
 #define LANES 64

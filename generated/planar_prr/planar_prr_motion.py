@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4e73eb3d4cddaa64ec33d3c25f0c207498eec480716cf4530000e02cde30ccdd.
+Made from templates/kernel.py.j2; inputs 2ddcb0cce750e39b1455795538a27d9d3838118e9f030a51bf7a43360324c9e8.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 3e7611da6922d3538408f4f7786ad023eb250e893da1598e40087fff1c95a1a0.
+ * Made from templates/kernel.c.j2; inputs 681468be4421e542fdfbfd0211aaa23e61609e69aa0d94fa04f8cf3977a6194f.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "3e7611da6922d3538408f4f7786ad023eb250e893da1598e40087fff1c95a1a0";
+const char planar_prr_speed_ratio_digest[] = "681468be4421e542fdfbfd0211aaa23e61609e69aa0d94fa04f8cf3977a6194f";
 #endif
 
 #define LANES 64

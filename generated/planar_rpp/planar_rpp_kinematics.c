@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 8854ff7428ac48f3e98e7b6a8ef2ddccc30b607866f5acfd72c51c6618910b6c.
+ * Made from templates/kernel.c.j2; inputs 20f624be482ffa87a326b6181ca4e6fc984dd6645971fddd9588a0db8b6634f6.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "8854ff7428ac48f3e98e7b6a8ef2ddccc30b607866f5acfd72c51c6618910b6c";
+const char planar_rpp_kinematics_digest[] = "20f624be482ffa87a326b6181ca4e6fc984dd6645971fddd9588a0db8b6634f6";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 8854ff7428ac48f3e98e7b6a8ef2ddccc30b607866f5acfd72c51c6618910b6c.
+ * Made from templates/kernel.h.j2; inputs 20f624be482ffa87a326b6181ca4e6fc984dd6645971fddd9588a0db8b6634f6.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

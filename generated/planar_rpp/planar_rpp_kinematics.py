@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8854ff7428ac48f3e98e7b6a8ef2ddccc30b607866f5acfd72c51c6618910b6c.
+Made from templates/kernel.py.j2; inputs 20f624be482ffa87a326b6181ca4e6fc984dd6645971fddd9588a0db8b6634f6.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs d9724ac9f4f0a7ed35c2f22bd6e60e63aee7c35bf12a985cbfb502633de43367.
+ * Made from templates/kernel.c.j2; inputs 7b9f7fd3d1b4d46e05830a467f9d0f94c4197bd64a23f458ede77f4782dd9fa0.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "d9724ac9f4f0a7ed35c2f22bd6e60e63aee7c35bf12a985cbfb502633de43367";
+const char planar_rpp_motion_digest[] = "7b9f7fd3d1b4d46e05830a467f9d0f94c4197bd64a23f458ede77f4782dd9fa0";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs d9724ac9f4f0a7ed35c2f22bd6e60e63aee7c35bf12a985cbfb502633de43367.
+ * Made from templates/kernel.h.j2; inputs 7b9f7fd3d1b4d46e05830a467f9d0f94c4197bd64a23f458ede77f4782dd9fa0.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d9724ac9f4f0a7ed35c2f22bd6e60e63aee7c35bf12a985cbfb502633de43367.
+Made from templates/kernel.py.j2; inputs 7b9f7fd3d1b4d46e05830a467f9d0f94c4197bd64a23f458ede77f4782dd9fa0.
 331 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 6b84c56dd069fd61404213e394a955a6d0ee3641f961dec4d72e9595cbaaf871.
+ * Made from templates/kernel.h.j2; inputs 4ea6d1776b26b1aa55e8ee47a051baf56d8d11201a09a3d04e374eef3eb87780.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs e091d3c9722f70f8f1f4c6b4d29fb7a0056ecc2b15e8c9d337e9db6c737cb474.
+ * Made from templates/kernel.c.j2; inputs b227aff164d88c0cf67d24d0a5e2fdff1461c1d4369d58e62f23fa3d7801b75e.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "e091d3c9722f70f8f1f4c6b4d29fb7a0056ecc2b15e8c9d337e9db6c737cb474";
+const char planar_rpr_kinematics_digest[] = "b227aff164d88c0cf67d24d0a5e2fdff1461c1d4369d58e62f23fa3d7801b75e";
 #endif
 
 #define LANES 64

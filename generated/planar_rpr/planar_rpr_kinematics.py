@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e091d3c9722f70f8f1f4c6b4d29fb7a0056ecc2b15e8c9d337e9db6c737cb474.
+Made from templates/kernel.py.j2; inputs b227aff164d88c0cf67d24d0a5e2fdff1461c1d4369d58e62f23fa3d7801b75e.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

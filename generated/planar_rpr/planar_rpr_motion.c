@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs abf70a770d204b86afd91f34d8b99438739d748bc18d0a5feb3c9aab218885cb.
+ * Made from templates/kernel.c.j2; inputs 25b2da37d08f03869d5f41031b60b652ec8041cc6003036757c6be981b1682bf.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "abf70a770d204b86afd91f34d8b99438739d748bc18d0a5feb3c9aab218885cb";
+const char planar_rpr_motion_digest[] = "25b2da37d08f03869d5f41031b60b652ec8041cc6003036757c6be981b1682bf";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs abf70a770d204b86afd91f34d8b99438739d748bc18d0a5feb3c9aab218885cb.
+ * Made from templates/kernel.h.j2; inputs 25b2da37d08f03869d5f41031b60b652ec8041cc6003036757c6be981b1682bf.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs d16fa6724e7b40bbf74936b0cc38bc5d702d3481dc9e97e1b827cf22a306bca8.
+ * Made from templates/kernel.c.j2; inputs d31621fa3f4cd542893f3fb52174e4f5c1ea78153be0f4be71c1624a50c6b6db.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "d16fa6724e7b40bbf74936b0cc38bc5d702d3481dc9e97e1b827cf22a306bca8";
+const char planar_rpr_speed_ratio_digest[] = "d31621fa3f4cd542893f3fb52174e4f5c1ea78153be0f4be71c1624a50c6b6db";
 #endif
 
 #define LANES 64

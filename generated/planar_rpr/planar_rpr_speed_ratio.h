@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs d16fa6724e7b40bbf74936b0cc38bc5d702d3481dc9e97e1b827cf22a306bca8.
+ * Made from templates/kernel.h.j2; inputs d31621fa3f4cd542893f3fb52174e4f5c1ea78153be0f4be71c1624a50c6b6db.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs e41761adab89aca892aa8bf5258dcbafcdacb9cb71b841cc7a7f9e66787c44a8.
+ * Made from templates/kernel.c.j2; inputs 84cc9156a33d36ae1d621b24eceba924be47c55f4b2a26a978e3d027b524c008.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "e41761adab89aca892aa8bf5258dcbafcdacb9cb71b841cc7a7f9e66787c44a8";
+const char planar_rrp_kinematics_digest[] = "84cc9156a33d36ae1d621b24eceba924be47c55f4b2a26a978e3d027b524c008";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs e41761adab89aca892aa8bf5258dcbafcdacb9cb71b841cc7a7f9e66787c44a8.
+ * Made from templates/kernel.h.j2; inputs 84cc9156a33d36ae1d621b24eceba924be47c55f4b2a26a978e3d027b524c008.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 7a98410b59275a78d92d062c45d5d77b3f94ba2e8266b67e95e9345ab63e838b.
+ * Made from templates/kernel.c.j2; inputs ec92c6e049da060df61fe707a5fa96eaeb6a2f3ba365809b66a007186848eab7.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "7a98410b59275a78d92d062c45d5d77b3f94ba2e8266b67e95e9345ab63e838b";
+const char planar_rrp_motion_digest[] = "ec92c6e049da060df61fe707a5fa96eaeb6a2f3ba365809b66a007186848eab7";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 7a98410b59275a78d92d062c45d5d77b3f94ba2e8266b67e95e9345ab63e838b.
+ * Made from templates/kernel.h.j2; inputs ec92c6e049da060df61fe707a5fa96eaeb6a2f3ba365809b66a007186848eab7.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 9db2395fc4186f59537c21ec616de8103102e6945ccafd7b00cf78e426d493bf.
+ * Made from templates/kernel.c.j2; inputs 57c4c48fe9ba8aeea057d40fd01db79098235e1306cad57d91af45244d18fa79.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "9db2395fc4186f59537c21ec616de8103102e6945ccafd7b00cf78e426d493bf";
+const char planar_rrp_speed_ratio_digest[] = "57c4c48fe9ba8aeea057d40fd01db79098235e1306cad57d91af45244d18fa79";
 #endif
 
 #define LANES 64

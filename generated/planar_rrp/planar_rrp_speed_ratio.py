@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9db2395fc4186f59537c21ec616de8103102e6945ccafd7b00cf78e426d493bf.
+Made from templates/kernel.py.j2; inputs 57c4c48fe9ba8aeea057d40fd01db79098235e1306cad57d91af45244d18fa79.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

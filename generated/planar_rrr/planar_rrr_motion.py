@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d45733e890f567efbea7a3de30be2e234cc87c60afa98cc9ce31c348ef4d42c5.
+Made from templates/kernel.py.j2; inputs e81b6d989c48a67bb536df29600d55f0025c3381cd334e96bed9807e2eb59d88.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 77e7aa15992165cbfb4fb6e2d7d6529649f07645c9dd3da83d95c466122d4e78.
+ * Made from templates/kernel.h.j2; inputs da46691944fec7fb35f8395644fdd6c36cea0bb6c0e32b2482f0927f833dadca.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 6f706564033b39fa6a27359ffae3a61fd2e9f6c82ca8def6268b2b84fa044066.
+ * Made from templates/kernel.h.j2; inputs 45eaad8ba28f2967efbbf0b3c42f3153014114b59b35b08a04dd28e6173c241e.
  * 1575 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

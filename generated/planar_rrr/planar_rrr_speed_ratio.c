@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 6e56b80f4225c18b7a428df4994d846401bc5f961385114945343212ab0722a8.
+ * Made from templates/kernel.c.j2; inputs efdff102522e5bd06a962329eeba79ae847ba6b291304c8090fc2c290d1de72f.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "6e56b80f4225c18b7a428df4994d846401bc5f961385114945343212ab0722a8";
+const char planar_rrr_speed_ratio_digest[] = "efdff102522e5bd06a962329eeba79ae847ba6b291304c8090fc2c290d1de72f";
 #endif
 
 #define LANES 64

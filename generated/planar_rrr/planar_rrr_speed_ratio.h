@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.h: speed ratio of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 6e56b80f4225c18b7a428df4994d846401bc5f961385114945343212ab0722a8.
+ * Made from templates/kernel.h.j2; inputs efdff102522e5bd06a962329eeba79ae847ba6b291304c8090fc2c290d1de72f.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 77e7aa15992165cbfb4fb6e2d7d6529649f07645c9dd3da83d95c466122d4e78.
+Made from templates/kernel.py.j2; inputs da46691944fec7fb35f8395644fdd6c36cea0bb6c0e32b2482f0927f833dadca.
 311 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 60487788a4735733528914d69be092c2e0e25c3d3951a74e35384e16b9c4ae2b.
+ * Made from templates/kernel.h.j2; inputs ab70baf0f894e06439e28a19597cd12d7f04a1f871265588f282645ab212a320.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs 0c55b0c81c94e887aeebe8ddee72fbdc648b4c09ac8519b3c759e3c8f3d0591b.
+ * Made from templates/kernel.c.j2; inputs 6dfb8e0147bb907e0e86e7c921b26324e05920d56caf9fea505c6bf07345cdf3.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "0c55b0c81c94e887aeebe8ddee72fbdc648b4c09ac8519b3c759e3c8f3d0591b";
+const char puma560_pose_digest[] = "6dfb8e0147bb907e0e86e7c921b26324e05920d56caf9fea505c6bf07345cdf3";
 #endif
 
 #define LANES 64

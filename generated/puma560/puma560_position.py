@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0c55b0c81c94e887aeebe8ddee72fbdc648b4c09ac8519b3c759e3c8f3d0591b.
+Made from templates/kernel.py.j2; inputs 6dfb8e0147bb907e0e86e7c921b26324e05920d56caf9fea505c6bf07345cdf3.
 435 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

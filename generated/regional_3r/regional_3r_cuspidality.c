@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 59289c58289e021be0ad32ad9616c02b48fdfb9fb835ead0e1a59152a186daca.
+ * Made from templates/kernel.c.j2; inputs b91c3f8ba6776e69894472431d89a87068c14cc8eafcc0bbb802302babb9352c.
  * 4089 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "59289c58289e021be0ad32ad9616c02b48fdfb9fb835ead0e1a59152a186daca";
+const char regional_3r_cuspidality_digest[] = "b91c3f8ba6776e69894472431d89a87068c14cc8eafcc0bbb802302babb9352c";
 #endif
 
 #define LANES 32

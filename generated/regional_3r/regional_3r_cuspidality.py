@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 59289c58289e021be0ad32ad9616c02b48fdfb9fb835ead0e1a59152a186daca.
+Made from templates/kernel.py.j2; inputs b91c3f8ba6776e69894472431d89a87068c14cc8eafcc0bbb802302babb9352c.
 4089 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 0276427ac98495f56c12e9edb72f862f13e968c8a353608c052885f30fabe68c.
+ * Made from templates/kernel.c.j2; inputs 85a338dc91367cd37aa3c6e73260df0001e6648fddc91e53c682c26398b626f8.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "0276427ac98495f56c12e9edb72f862f13e968c8a353608c052885f30fabe68c";
+const char sanchez_8r_kinematics_digest[] = "85a338dc91367cd37aa3c6e73260df0001e6648fddc91e53c682c26398b626f8";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0276427ac98495f56c12e9edb72f862f13e968c8a353608c052885f30fabe68c.
+Made from templates/kernel.py.j2; inputs 85a338dc91367cd37aa3c6e73260df0001e6648fddc91e53c682c26398b626f8.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

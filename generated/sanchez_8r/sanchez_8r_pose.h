@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 01225f2135ad2d7bdff5cf57b7b5d8b28192b58c1045058cb43fa821dc616ddf.
+ * Made from templates/kernel.h.j2; inputs d36a71ee06fa45e3d14f1784d1c651af227363acaafdd17e8911aef6f62b04ed.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

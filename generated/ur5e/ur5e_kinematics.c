@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 1448771e1a081ac70f4338378f05efbb34bbb453b40d6ba3246dc9f0b6059437.
+ * Made from templates/kernel.c.j2; inputs 68e5c1759539023999903002fb7e0e4dfe0582113ea7b5b5aa38a3fecb9e8f61.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "1448771e1a081ac70f4338378f05efbb34bbb453b40d6ba3246dc9f0b6059437";
+const char ur5e_kinematics_digest[] = "68e5c1759539023999903002fb7e0e4dfe0582113ea7b5b5aa38a3fecb9e8f61";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 9f2a03c0abb8a5b373b6718087fd32c65bbed52c2dd0ec735063a1f20e456caa.
+ * Made from templates/kernel.c.j2; inputs 8768fc29d12dc577c8f9bc66969d0dc4632fb2656a2f2bc22625abf3f3849f9d.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "9f2a03c0abb8a5b373b6718087fd32c65bbed52c2dd0ec735063a1f20e456caa";
+const char ur5e_pose_digest[] = "8768fc29d12dc577c8f9bc66969d0dc4632fb2656a2f2bc22625abf3f3849f9d";
 #endif
 
 #define LANES 64

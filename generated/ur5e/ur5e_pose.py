@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9f2a03c0abb8a5b373b6718087fd32c65bbed52c2dd0ec735063a1f20e456caa.
+Made from templates/kernel.py.j2; inputs 8768fc29d12dc577c8f9bc66969d0dc4632fb2656a2f2bc22625abf3f3849f9d.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -28,16 +28,15 @@ from chainrule.self_motions.bundle import Bundle
 from chainrule.self_motions.continuation import Dense, Grid, Held, held_task, target_of
 from chainrule.self_motions.identity import table
 from chainrule.self_motions.result import Component, limit_reason
-from chainrule.self_motions.tracing import quintic
 
 Array = NDArray[Any]
 
 TURN = 2.0 * math.pi
 #: Parts of an interval between points in which a slope is looked at for a change of sign.
 PARTS = 8
-#: Steps towards the root of a polynomial, and of Newton's method on the curve; the last one of those, where the
+#: Steps of Newton's method on a polynomial, and on the curve; the last one of those, where the
 #: tangent's component is above a bound and where it is not.
-SECANTS, NEWTON, STEEP, SETTLED, LAST = 5, 4, 1e-2, 1e-8, 1e-13
+POLYNOMIAL, NEWTON, STEEP, SETTLED, LAST = 4, 4, 1e-2, 1e-8, 1e-13
 #: Crossings nearer to each other than this share of the length are one.
 SAME = 1e-13
 #: More combinations of turns within the limits than this are refused.
@@ -223,23 +222,23 @@ def _reached(
     x = [part[rows, joint] * unit[joint] * scale for rows in (row, after) for part, scale in
          ((bundle.x, 1.0), (bundle.t, width), (bundle.k, width**2))]  # fmt: skip
 
-    def polynomial(at: Array) -> Array:
-        u = (at - begin) / share
-        return quintic((x[0], x[1], x[2]), (x[3], x[4], x[5]), u) - aim
-
-    s, a, b, fa, fb = 0.5 * (low + high), low, high, first - aim, last - aim
-    for _ in range(SECANTS):
+    rise, middle = x[3] - x[0], 0.5 * (x[5] + x[2])
+    powers = (
+        *(x[0] - aim, x[1], 0.5 * x[2]),
+        10.0 * rise - 6.0 * x[1] - 4.0 * x[4] + 0.5 * x[5] - 1.5 * x[2],
+        -15.0 * rise + 8.0 * x[1] + 7.0 * x[4] + 1.5 * x[2] - x[5],
+        6.0 * rise - 3.0 * (x[1] + x[4]) + middle - x[2],
+    )
+    first_u, last_u = (low - begin) / share, (high - begin) / share
+    u = first_u + (last_u - first_u) * (first - aim) / (first - last)
+    for _ in range(POLYNOMIAL):
+        value, slope = powers[5], np.zeros(len(u))
+        for power in powers[4::-1]:
+            value, slope = value * u + power, slope * u + value
         with np.errstate(all="ignore"):
-            s = a - fa * (b - a) / (fb - fa)
-        s = np.where((s > a) & (s < b), s, 0.5 * (a + b))
-        f = polynomial(s)
-        upper = (f > 0.0) == (fb > 0.0)
-        a, fa, b, fb = (
-            np.where(upper, a, s),
-            np.where(upper, 0.5 * fa, f),
-            np.where(upper, s, b),
-            np.where(upper, f, 0.5 * fb),
-        )
+            ahead = u - value / slope
+        u = np.where((ahead >= first_u) & (ahead <= last_u), ahead, u)
+    s = np.minimum(np.maximum(begin + u * share, low), high)
     rising, settled, best = np.sign(last - first), np.zeros(len(s), bool), s
     for _ in range(NEWTON):
         q, t = bundle.at(curve, best * length, 2)
@@ -360,14 +359,15 @@ def feasible(
     return tuple(part for index in sorted(every) for part in every[index])
 
 
-#: From where to where (fractions of a closed curve's length beyond 1 too), moved by what, why it ends; a curve left
-#: whole runs from 0 to 1 and ends nowhere.
-Part = tuple[float, float, Array, tuple[str, ...]]
+#: From where to where (fractions of a closed curve's length beyond 1 too), moved by which whole turns, why it ends; a
+#: curve left whole runs from 0 to 1 and ends nowhere.
+Part = tuple[float, float, tuple[int, ...], tuple[str, ...]]
 
 
 def _grids(arm: Arm, task: str, curves: Sequence[Component]) -> tuple[list[Grid], Bundle]:
     """Places on each curve between which all joints rise or fall throughout, and the curves as one table."""
-    held = Held(arm, task, curves[0].scale)
+    first = curves[0].points
+    held = first.held if isinstance(first, Dense) else Held(arm, task, curves[0].scale)
     tables = [_known(held, curve) for curve in curves]
     return [table.monotone for table in tables], Bundle.of(held, tables)
 
@@ -416,14 +416,14 @@ def _parts(component: Component, cuts: Array, allowed: Array, bounds: Array, rev
     found: list[Part] = []
     widths = np.diff(cuts).tolist()
     for run in _runs(allowed, winding, component.closed):
-        shift = TURN * np.array(run[0][1], float)
+        turns = run[0][1]
         if run[0] == run[-1] and len(run) > 1:  # round and round
-            found.append((0.0, 1.0, shift, ()))
+            found.append((0.0, 1.0, turns, ()))
             continue
         begin = float(cuts[run[0][0]])
         ends = tuple(_reason(component, allowed, winding, run, last) for last in (False, True))
-        found.append((begin, begin + sum(widths[cell] for cell, _ in run), shift, ends))
-    return _distinct(found, component.q[0])
+        found.append((begin, begin + sum(widths[cell] for cell, _ in run), turns, ends))
+    return _distinct(found)
 
 
 State = tuple[int, tuple[int, ...]]
@@ -482,7 +482,8 @@ def _shifted(component: Component, begin: float, end: float, shift: Array) -> Ca
 
 def _arc(component: Component, grid: Grid, part: Part, edges: Array, index: int) -> Component:
     """A part of a curve as a curve."""
-    begin, end, shift, ends = part
+    begin, end, turns, ends = part
+    shift = TURN * np.array(turns, float)
     if not ends:
         box = component.box + shift[:, np.newaxis]
         points = _shifted(component, 0.0, 1.0, shift)
@@ -499,7 +500,7 @@ def _arc(component: Component, grid: Grid, part: Part, edges: Array, index: int)
         length=component.length * (end - begin),
         closed=False,
         winding=np.zeros_like(component.winding),
-        box=np.stack([points.min(axis=0), points.max(axis=0)], axis=1),
+        box=np.array([points.min(axis=0), points.max(axis=0)]).T,
         manipulability=(float(values.min()), float(values.max())),
         closure=math.nan,
         ends=ends,
@@ -509,10 +510,10 @@ def _arc(component: Component, grid: Grid, part: Part, edges: Array, index: int)
     )
 
 
-def _distinct(parts: list[Part], first: Array) -> list[Part]:
-    """Without the parts that lie in another one, whole turns apart; ``first`` is the curve's first point."""
+def _distinct(parts: list[Part]) -> list[Part]:
+    """Without the parts that lie in another one, whole turns apart."""
     kept: list[Part] = []
-    for part in sorted(parts, key=lambda each: (each[0] - each[1], each[0], float(np.abs(first + each[2]).sum()))):
+    for part in sorted(parts, key=lambda each: (each[0] - each[1], each[0], sum(map(abs, each[2])))):
         begin, rounds = part[0], part[1] - part[0]
         inside = any(
             not other[3]

@@ -13,7 +13,7 @@ stated length scale (prismatic joints), so that everything is in rad: x stands f
    curve with t.(x - x0) = s: within that slab of the ball the solutions are one arc, through x0. A step to a solution
    in it cannot have changed curves. K is a bound, not an estimate: second derivatives of a serial chain are products
    of unit axes and distances from axes to the tip.
-2. *Step.* Predict by the polynomial through up to three points and tangents (degree 5), no farther than the slab;
+2. *Step.* Predict by the polynomial through up to four points and tangents (degree 7), no farther than the slab;
    correct by Newton's method, x -= J^+ e; halve the step where that does not contract.
 3. *Closure.* Where the start, each revolute joint shifted by whole turns, lies ahead within the slab, the arc leads to
    it: the curve is closed. The last step is solved for in the plane through the start normal to its tangent.
@@ -46,7 +46,7 @@ ADVANCE = 0.85  # the longest step, of the ball's radius: less than SLAB, so tha
 LONGEST = 0.5  # the longest step, rad
 TURN = 0.5  # the most that a step may turn, rad
 NODES = 48  # certified points kept between two output points
-HISTORY = 3  # points that the predictor uses
+HISTORY = 4  # points that the predictor uses
 NEWTON = 12  # most corrections
 SETTLED = 1e-9  # the last correction, rad
 LEFT = 1e-16  # |J^+| size^2 of the last correction of a point whose tangent is taken anew: an error of rounding
@@ -378,24 +378,8 @@ class Follower:
     @staticmethod
     def predict(history: list[Point], step: float) -> Array:
         """The Hermite polynomial through the last points and their tangents, ``step`` beyond the last one."""
-        knots = np.repeat([point.s for point in history], 2) - history[-1].s
-        table = [point.x for point in history for _ in range(2)]
-        count = len(knots)
-        columns = [table[0]]
-        current = table
-        for order in range(1, count):
-            following = []
-            for i in range(count - order):
-                if order == 1 and i % 2 == 0:
-                    following.append(history[i // 2].t)
-                else:
-                    following.append((current[i + 1] - current[i]) / (knots[i + order] - knots[i]))
-            columns.append(following[0])
-            current = following
-        value = columns[-1]
-        for i in range(count - 2, -1, -1):
-            value = columns[i] + (step - knots[i]) * value
-        return value
+        places = [point.s - history[-1].s for point in history]
+        return hermite_through(history, places, [1.0] * len(history), step)
 
     # ---- length ------------------------------------------------------------------------------------------------
 
@@ -430,7 +414,13 @@ class Follower:
         points: list[Array] = []
         for place in LOBATTO_NODES[1:-1] * chord:
             j = min(max(int(np.searchsorted(along, place)) - 1, 0), len(nodes) - 2)
-            guess = between(nodes[j], nodes[j + 1], d, (place - along[j]) / (along[j + 1] - along[j]))
+            if always:
+                guess = between(nodes[j], nodes[j + 1], d, (place - along[j]) / (along[j + 1] - along[j]))
+            else:
+                used = min(len(nodes), HISTORY)  # nodes around the place
+                start = min(max(j + 1 - used // 2, 0), len(nodes) - used)
+                near = slice(start, start + used)
+                guess = hermite_through(nodes[near], along[near], [1.0 / c for c in cosines[near]], float(place))
             found = self.correct(guess, d, float(d @ first.x) + place, loose=True)
             if found is None or np.linalg.norm(found[0] - nodes[j].x) > nodes[j].radius:
                 if not always:
@@ -554,7 +544,10 @@ class Follower:
 
 
 def minimum_norm(jacobian: Array, e: Array) -> tuple[Array, float] | None:
-    """-J^+ e, and the Frobenius norm of J^+ (at least its largest singular value), by orthogonalised rows."""
+    """-J^+ e and a bound of |J^+|, by orthogonalised rows, J = L Q.
+
+    |J^+|^2 is the largest eigenvalue of G = L^-T L^-1, at most the root of the Frobenius norm of G^2.
+    """
     m, n = jacobian.shape
     q, lower = np.zeros((m, n)), np.zeros((m, m))
     for i in range(m):
@@ -574,7 +567,8 @@ def minimum_norm(jacobian: Array, e: Array) -> tuple[Array, float] | None:
         inverse[j, j] = 1.0 / lower[j, j]
         for i in range(j + 1, m):
             inverse[i, j] = -float(lower[i, j:i] @ inverse[j:i, j]) / lower[i, i]
-    return -(inverse @ e) @ q, float(np.linalg.norm(inverse))
+    gram = inverse.T @ inverse
+    return -(inverse @ e) @ q, math.sqrt(math.sqrt(float(np.linalg.norm(gram @ gram))))
 
 
 def between(first: Point, last: Point, d: Array, u: float) -> Array:
@@ -582,6 +576,26 @@ def between(first: Point, last: Point, d: Array, u: float) -> Array:
     width = float(d @ (last.x - first.x))
     a, b = first.t / float(first.t @ d) * width, last.t / float(last.t @ d) * width
     return hermite(first.x, a, last.x, b, u)
+
+
+def hermite_through(points: list[Point], places: list[float], scales: list[float], at: float) -> Array:
+    """The Hermite polynomial through points at places (one for each) and their tangents times scales, at another."""
+    knots = np.repeat(places, 2)
+    current = [point.x for point in points for _ in range(2)]
+    columns = [current[0]]
+    for order in range(1, len(knots)):
+        following = []
+        for i in range(len(knots) - order):
+            if order == 1 and i % 2 == 0:
+                following.append(points[i // 2].t * scales[i // 2])
+            else:
+                following.append((current[i + 1] - current[i]) / (knots[i + order] - knots[i]))
+        columns.append(following[0])
+        current = following
+    value = columns[-1]
+    for i in range(len(knots) - 2, -1, -1):
+        value = columns[i] + (at - knots[i]) * value
+    return value
 
 
 def hermite(x0: Array, d0: Array, x1: Array, d1: Array, u: float) -> Array:
