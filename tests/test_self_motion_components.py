@@ -204,7 +204,7 @@ def test_a_general_7r_arm_is_searched_and_says_so() -> None:
     (pose,) = poses(NONE, 1, 10)
     found = cr.self_motion(NONE, pose, starts=40)
     assert found.method == "continuation"
-    assert found.complete.startswith("40 starts, last new component at start ")
+    assert found.complete.startswith("40 starts and 42 extremal points of joints, last new component at ")
     more = cr.self_motion(NONE, pose, starts=120, seed=5)
     np.testing.assert_allclose(lengths(found.components), lengths(more.components), rtol=1e-8)
 

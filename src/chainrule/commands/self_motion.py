@@ -60,12 +60,18 @@ def self_motion(
         str | None, typer.Option(help="closed form, sweep, continuation or eigenvector; the best one when left out.")
     ] = None,
     points: Annotated[int, typer.Option(help="Points of each curve, in --csv and --json.")] = 91,
+    starts: Annotated[int, typer.Option(help="How many starts a search has, where no other method proves all.")] = 64,
+    gamma: Annotated[float, typer.Option(help="Step of --method eigenvector, rad.")] = 0.001,
+    scale: Annotated[float, typer.Option(help="Metres that count as one radian of a prismatic joint.")] = 1.0,
     figure: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw it into a .svg, .png or .pdf file.")] = None,
     animation: Annotated[
         Path | None, typer.Option(metavar="FILE", help="The arm moving along a curve, as a .gif file.")
     ] = None,
     csv: Annotated[
-        Path | None, typer.Option("--csv", metavar="FILE", help="Points of all curves: curve, s, joints, H.")
+        Path | None,
+        typer.Option(
+            "--csv", metavar="FILE", help="Points of all curves (with --limits of all arcs): curve, s, joints, H."
+        ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
     tip: Tip = None,
@@ -87,11 +93,14 @@ def self_motion(
     aim = _target(loaded, task, target, at, along, deg)
     if along is not None:
         _refuse_with_along(best, animation, csv, figure, loaded, task)
-        _along(loaded, task, aim, along, figure, as_json, {"method": method, "limits": limits})
+        options = {"method": method, "limits": limits, "starts": starts, "gamma": gamma, "scale": scale}
+        _along(loaded, task, aim, along, figure, as_json, options)
         return
     with progressing() as progress:
         progress("finding the self-motions")
-        found = find(loaded, aim, task, method=method, limits=limits, points=points)
+        found = find(
+            loaded, aim, task, method=method, limits=limits, points=points, starts=starts, gamma=gamma, scale=scale
+        )
         chosen = _best(loaded, found, best, limits)
         files = _draw(loaded, found, figure, animation, csv, points)
     if as_json:
@@ -194,16 +203,19 @@ def _draw(
 
 
 def _points(arm: Arm, found: SelfMotion, points: int) -> str:
-    """Points of all curves, or of what limits leave of them, as comma-separated values."""
+    """Points of all curves, or of what limits leave of them (arcs, numbered too), as comma-separated values."""
     import numpy as np
 
-    lines = [",".join(["curve", "s", *(f"q{j}" for j in range(1, arm.n + 1)), "H"])]
+    limited = found.feasible is not None
+    lines = [",".join(["curve", *(["arc"] if limited else []), "s", *(f"q{j}" for j in range(1, arm.n + 1)), "H"])]
     for k, curve in enumerate(found.arcs):
+        number = k if curve.of is None else curve.of
+        label = [str(number + 1), str(k + 1)] if limited else [str(number + 1)]
         s = np.linspace(0.0, 1.0, points) if len(curve.q) > 1 else np.zeros(1)
         q = curve.at(s)
         h = arm.manipulability(q, task=found.task)
         for row in np.column_stack([s * curve.length, q, h]):
-            lines.append(",".join([str(k + 1), *(repr(float(value)) for value in row)]))
+            lines.append(",".join([*label, *(repr(float(value)) for value in row)]))
     return "\n".join(lines) + "\n"
 
 

@@ -181,20 +181,30 @@ def _folds(known: Known, sweep: Sweep, events: Array) -> int:
 
 
 def searched(held: Held, target: Array, starts: int, seed: int = 0, known: Known | None = None) -> Found:
-    """The curves that ``starts`` random configurations, moved to the target, lie on, besides those already known."""
+    """The curves on which starts lie that were moved to the target, besides those already known.
+
+    ``starts`` random configurations go to the nearest posture, and for each joint ``starts`` / n others (rounded up) to
+    a posture in which that joint is extremal on its curve. The former meet a curve about as often as it is long; the
+    latter lead to short ones too, since every closed curve has two extremal points of each joint that does not wind.
+    """
     known = Known(held, target) if known is None else known
-    last = 0
-    every = start_points(held.arm, starts, seed)
-    for begin in range(0, starts, BATCH):
-        q, arrived = project(held.arm, every[begin : begin + BATCH], target, held.task, scale=held.scale)
+    n, last = held.arm.n, ""
+    each = -(-starts // n)
+    every = start_points(held.arm, starts + n * each, seed)
+    joints = np.repeat(np.arange(n) + 1, each)
+    batches = [(begin, min(begin + BATCH, starts), None) for begin in range(0, starts, BATCH)]
+    for begin, end, extremal in [*batches, (starts, len(every), joints)]:
+        q, arrived = project(held.arm, every[begin:end], target, held.task, scale=held.scale, extremal=extremal)
         places = np.flatnonzero(arrived)
         places = places[known.which(q[places]) < 0]
         while len(places):
             [curve] = _traced(held, target, q[places[:1]])
             known.add(curve)
-            last = begin + int(places[0]) + 1
+            number = int(places[0]) + 1
+            last = f"start {begin + number}" if extremal is None else f"extremal point {number}"
             places = places[1:]
             places = places[known.which(q[places]) < 0]
+    words = f"{starts} starts and {n * each} extremal points of joints"
     if not known.components:
-        return Found((), "continuation", f"{starts} starts, none of which reached the target")
-    return Found(tuple(known.components), "continuation", f"{starts} starts, last new component at start {last}")
+        return Found((), "continuation", f"{words}, none of which reached the target")
+    return Found(tuple(known.components), "continuation", f"{words}, last new component at {last or 'none of them'}")

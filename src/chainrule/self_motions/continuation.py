@@ -34,6 +34,8 @@ ROOM = 1 << 15
 CORRECTIONS = 3
 #: Most corrections, and the largest one (rad), of :func:`project`; and the last one, below which it has arrived.
 PROJECTIONS, STRIDE, ARRIVED = 60, 0.5, 1e-10
+#: Half of the step of difference quotients, rad.
+DIFFERENCE = 1e-5
 
 
 def held_task(arm: Arm, task: str | None) -> str:
@@ -614,7 +616,13 @@ def kept_signs(box: Array, revolute: Array) -> dict[str, int]:
 
 
 def project(
-    arm: Arm, q: ArrayLike, target: ArrayLike, task: str | None = None, *, scale: float = 1.0
+    arm: Arm,
+    q: ArrayLike,
+    target: ArrayLike,
+    task: str | None = None,
+    *,
+    scale: float = 1.0,
+    extremal: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
     """Configurations (k, n) moved to the target by damped Newton steps: where they arrive, and whether they do.
 
@@ -627,6 +635,8 @@ def project(
         target: one target.
         task: what is held; the arm's default task when absent.
         scale: m that count as one radian of a prismatic joint.
+        extremal: (k,) a joint for each configuration, from 1, that is to be extremal on the curve where it arrives:
+            the null vector's component is one equation more.
 
     Returns:
         configurations (k, n), not wrapped, and (k,) whether each is on the target.
@@ -644,23 +654,34 @@ def project(
     found = np.array(real_array(q, "q"))
     if found.ndim != 2 or found.shape[1] != arm.n:
         raise InputError(f"q has shape {found.shape}; (k, {arm.n}) is accepted")
+    joints = None if extremal is None else np.asarray(extremal, int) - 1
     spatial = held.system(aim).spatial
     going = np.ones(len(found), bool)
     for _ in range(PROJECTIONS):
         index = np.flatnonzero(going)
         if not len(index):
             break
-        step = _damped(held, found[index], aim, spatial)
+        step = _damped(held, found[index], aim, spatial, None if joints is None else joints[index])
         found[index] += step
         going[index] = np.linalg.norm(step / held.unit, axis=1) > ARRIVED
     error = np.abs(held.evaluate(found, aim)[0]).max(axis=1) if len(found) else np.zeros(0)
     near = ~going & (error < 1e-9 * max(held.size, 1.0))
+    if joints is not None and len(found):
+        near &= np.abs(_slope(held, found, joints)) < 1e-6
     if spatial and len(found):  # the skew part vanishes at half a turn too
         near &= np.einsum("kij,ij->k", arm.pose(found)[:, :3, :3], aim[:3, :3]) > 0.0
     return found, near
 
 
-def _damped(held: Held, q: Array, target: Array, spatial: bool) -> Array:
+def _slope(held: Held, q: Array, joints: Array) -> Array:
+    """(..., k): at configurations (..., k, n) the unit tangent's component of a joint each."""
+    null = held.bend(q)[0] / held.unit
+    with np.errstate(all="ignore"):
+        found = null[..., np.arange(len(joints)), joints] / np.linalg.norm(null, axis=-1)
+    return np.asarray(np.nan_to_num(found, nan=1.0))
+
+
+def _damped(held: Held, q: Array, target: Array, spatial: bool, joints: Array | None = None) -> Array:
     e, jacobian, _ = held.evaluate(q, target)
     if spatial:
         from scipy.spatial.transform import Rotation
@@ -669,12 +690,19 @@ def _damped(held: Held, q: Array, target: Array, spatial: bool) -> Array:
         e[:, 3:] = Rotation.from_matrix(held.arm.pose(q)[:, :3, :3] @ target[:3, :3].T).as_rotvec()
     rows = np.where(np.arange(e.shape[1]) < held.system(target).positions, 1.0 / held.size, 1.0)
     scaled = jacobian * held.unit * rows[:, np.newaxis]
+    e = e * rows
+    if joints is not None:
+        steps = (DIFFERENCE * np.eye(held.arm.n) * held.unit)[:, np.newaxis]
+        slopes = _slope(held, np.concatenate([q + steps, q - steps, q[np.newaxis]]), joints)
+        change = np.subtract(*np.split(slopes[:-1], 2)).T / (2.0 * DIFFERENCE)
+        scaled = np.concatenate([scaled, change[:, np.newaxis]], axis=1)
+        e = np.concatenate([e, slopes[-1][:, np.newaxis]], axis=1)
     gram = scaled @ np.swapaxes(scaled, -1, -2)
-    error = np.linalg.norm(e * rows, axis=1)
+    error = np.linalg.norm(e, axis=1)
     damping = 1e-3 * np.minimum(error, 1.0) ** 2  # Levenberg and Marquardt: vanishes with the error's square
     damping = damping + 1e-15 * np.trace(gram, axis1=-2, axis2=-1) + 1e-300  # what rounding cannot tell from rank lost
     gram += damping[:, np.newaxis, np.newaxis] * np.eye(e.shape[1])
-    y = np.linalg.solve(gram, (e * rows)[..., np.newaxis])
+    y = np.linalg.solve(gram, e[..., np.newaxis])
     step = -(np.swapaxes(scaled, -1, -2) @ y)[..., 0]
     length = np.linalg.norm(step, axis=1, keepdims=True)
     return np.asarray(step * np.minimum(1.0, STRIDE / np.maximum(length, 1e-300)) * held.unit)
