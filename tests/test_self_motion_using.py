@@ -119,6 +119,48 @@ def test_what_the_best_posture_refuses() -> None:
         cr.best_posture(ARM.with_limits(position=[(0.0, 0.1)] * 3), [0.25, 0.0])
 
 
+# ---- the nearest singular target ------------------------------------------------------------------------------------
+
+
+def test_the_nearest_singular_target_of_planar_arms_is_the_nearest_singular_radius() -> None:
+    rng, met = np.random.default_rng(31), 0
+    for _ in range(15):
+        arm = cr.planar_3r(*rng.uniform(0.1, 1.0, 3))
+        motion = cr.self_motion(arm, rng.uniform(-0.7, 0.7, 2) * arm.parameters.sum())
+        if motion.status != "regular":
+            continue
+        near = cr.nearest_singular(arm, motion)
+        assert near.distance == pytest.approx(motion.to_singular, abs=1e-9)  # from the lengths, in closed form
+        assert np.linalg.norm(near.target - motion.target) == pytest.approx(near.distance, abs=1e-9)
+        assert np.linalg.svd(arm.jacobian(near.q, task="position"), compute_uv=False)[1] < 1e-8
+        np.testing.assert_allclose(arm.position(near.q), near.target, atol=1e-12)
+        met += 1
+    assert met >= 10
+
+
+def test_towards_a_singular_target_of_the_panda_its_curves_come_to_a_singular_posture() -> None:
+    motion = cr.self_motion(PANDA, PANDA.pose(READY))
+    near = cr.nearest_singular(PANDA, motion)
+    assert np.linalg.svd(PANDA.jacobian(near.q), compute_uv=False)[-1] < 1e-8
+    shift = near.target[:3, 3] - motion.target[:3, 3]
+    turn = near.target[:3, :3] @ motion.target[:3, :3].T
+    sine = np.linalg.norm([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]) / 2.0
+    assert near.distance == pytest.approx(math.hypot(np.linalg.norm(shift), near.length * sine), rel=1e-9)
+    assert near.distance < 0.02 and near.manipulability == min(c.manipulability[0] for c in motion.components)
+    from scipy.spatial.transform import Rotation
+
+    least = [near.manipulability]
+    for share in (0.9, 0.999):
+        pose = motion.target.copy()
+        pose[:3, 3] += share * shift
+        pose[:3, :3] = Rotation.from_rotvec(share * Rotation.from_matrix(turn).as_rotvec()).as_matrix() @ pose[:3, :3]
+        least.append(min(c.manipulability[0] for c in cr.self_motion(PANDA, pose).components))
+    assert least[0] > 2.0 * least[1] > 4.0 * least[2]
+    with pytest.raises(cr.InputError, match="no posture reaches"):
+        cr.nearest_singular(ARM, [4.0, 0.0])
+    json.dumps(near.to_dict(), allow_nan=False)
+
+
 # ---- along a path ------------------------------------------------------------------------------------------------
 
 

@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from chainrule.self_motions.face import self_motion
     from chainrule.self_motions.maps import SelfMotionMap, self_motion_map
     from chainrule.self_motions.result import Component, SelfMotion
+    from chainrule.self_motions.singular import NearestSingular, nearest_singular
     from chainrule.speed_ratio import SpeedRatios, speed_ratios
     from chainrule.timing import JointMove, min_time
     from chainrule.workspaces import Workspace, workspace
@@ -58,6 +59,7 @@ __all__ = [
     "Line",
     "ManipulabilityMap",
     "Maximum",
+    "NearestSingular",
     "NoCompilerWarning",
     "Orthogonal3R",
     "PostureChange",
@@ -80,6 +82,7 @@ __all__ = [
     "max_manipulability",
     "min_time",
     "motion_ratios",
+    "nearest_singular",
     "orthogonal_3r",
     "planar",
     "planar_3r",
@@ -125,6 +128,7 @@ _HOMES = {
     **dict.fromkeys(("SelfMotionAlong", "self_motion_along"), "chainrule.self_motions.along"),
     **dict.fromkeys(("SelfMotionMap", "self_motion_map"), "chainrule.self_motions.maps"),
     **dict.fromkeys(("BestPosture", "best_posture"), "chainrule.self_motions.best"),
+    **dict.fromkeys(("NearestSingular", "nearest_singular"), "chainrule.self_motions.singular"),
     "self_motion": "chainrule.self_motions.face",
     "read_path": "chainrule.readers.paths",
     **dict.fromkeys(("Workspace", "workspace"), "chainrule.workspaces"),

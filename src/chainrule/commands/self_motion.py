@@ -30,6 +30,7 @@ if TYPE_CHECKING:
     from chainrule.arm import Arm
     from chainrule.self_motions.best import BestPosture
     from chainrule.self_motions.result import SelfMotion
+    from chainrule.self_motions.singular import NearestSingular
 
 
 @app.command()
@@ -56,6 +57,9 @@ def self_motion(
     best: Annotated[
         str | None, typer.Option(help="The best posture by: manipulability, or limits (far from every stop).")
     ] = None,
+    singular: Annotated[
+        bool, typer.Option("--singular", help="Also a target near by whose self-motion is singular (a local search).")
+    ] = False,
     method: Annotated[
         str | None, typer.Option(help="closed form, sweep, continuation or eigenvector; the best one when left out.")
     ] = None,
@@ -92,7 +96,7 @@ def self_motion(
     _check_files(animation, csv)
     aim = _target(loaded, task, target, at, along, deg)
     if along is not None:
-        _refuse_with_along(best, animation, csv, figure, loaded, task)
+        _refuse_with_along(best, singular, animation, csv, figure, loaded, task)
         options = {"method": method, "limits": limits, "starts": starts, "gamma": gamma, "scale": scale}
         _along(loaded, task, aim, along, figure, as_json, options)
         return
@@ -102,11 +106,15 @@ def self_motion(
             loaded, aim, task, method=method, limits=limits, points=points, starts=starts, gamma=gamma, scale=scale
         )
         chosen = _best(loaded, found, best, limits)
+        near = _near(loaded, found) if singular else None
         files = _draw(loaded, found, figure, animation, csv, points)
     if as_json:
-        print_json(found.to_dict() | {"best": chosen.to_dict() if chosen else None, "files": files})
+        more = {"singular": near.to_dict() if near else None} if singular else {}
+        print_json(found.to_dict() | {"best": chosen.to_dict() if chosen else None, **more, "files": files})
     else:
         _print(loaded, found, chosen, best)
+        if near is not None:
+            _say_near(loaded, near)
         for path in files:
             say(path)
     if found.status == "unreachable" or (best is not None and chosen is None):
@@ -148,10 +156,16 @@ def _target(arm: Arm, task: str, target: str | None, at: str | None, along: str 
 
 
 def _refuse_with_along(
-    best: str | None, animation: Path | None, csv: Path | None, figure: Path | None, arm: Arm, task: str
+    best: str | None,
+    singular: bool,
+    animation: Path | None,
+    csv: Path | None,
+    figure: Path | None,
+    arm: Arm,
+    task: str,
 ) -> None:
-    for option, given in (("--best", best), ("--animation", animation), ("--csv", csv)):
-        if given is not None:
+    for option, given in (("--best", best), ("--singular", singular), ("--animation", animation), ("--csv", csv)):
+        if given:
             raise InputError(f"{option} is for one target, not for --along")
     if figure is not None and not (task in ("position", "x_alpha") and "x_alpha" in arm.tasks and arm.kinds == "RRR"):
         raise InputError("--figure with --along is for planar 3R arms, tasks position and x_alpha")
@@ -179,6 +193,22 @@ def _best(arm: Arm, found: SelfMotion, criterion: str | None, limits: bool) -> B
     if criterion not in ("manipulability", "limits"):
         raise InputError(f"--best: {shown(criterion)}; manipulability or limits is accepted")
     return best_posture(arm, found, criterion, limits=limits) if found.arcs else None
+
+
+def _near(arm: Arm, found: SelfMotion) -> NearestSingular | None:
+    from chainrule.self_motions.singular import nearest_singular
+
+    return nearest_singular(arm, found) if found.components else None
+
+
+def _say_near(arm: Arm, near: NearestSingular) -> None:
+    from chainrule.tables import posture
+
+    say(f"The least H at this target is {near.manipulability:.6g}.")
+    if near.distance is None or near.q is None:
+        say("No singular target was found near by.")
+    else:
+        say(f"A singular target is {near.distance:.6g} m away (others may be nearer), at {posture(arm, near.q)}")
 
 
 def _draw(
