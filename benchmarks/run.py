@@ -11,7 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 from itertools import chain
 from typing import Any
 
-from benchmarks import cuspidality, planar, self_motion
+from benchmarks import cuspidality, planar, self_motion, self_motion_7r
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
 from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
@@ -20,7 +20,7 @@ from benchmarks.startup import startup
 from benchmarks.table import Row
 
 PEERS = ("casadi_peer", "pinocchio_peer", "toolbox_peer", "sympy_peer")
-PACKAGES = ("chainrule", "numpy", "casadi", "pin", "roboticstoolbox-python", "sympy")
+PACKAGES = ("chainrule", "numpy", "casadi", "pin", "roboticstoolbox-python", "ssik", "sympy")
 
 #: Single precision agrees with double to this, relative to 1 or the value, away from singular configurations.
 TOLERANCE_FLOAT = 2e-3
@@ -112,7 +112,7 @@ def run(effort: Effort, progress: Progress = lambda line: None) -> tuple[list[Ro
             if effort.parts:
                 progress(f"{case.title}: taking ours apart")
                 parts += _part_rows(case, q, effort)
-        asking = (part.questions(effort.batch) for part in (planar, cuspidality, self_motion))
+        asking = (part.questions(effort.batch) for part in (planar, cuspidality, self_motion, self_motion_7r))
         for section, ways, note in chain.from_iterable(asking):
             progress(f"{section}: comparing and timing")
             worst = planar.agreement(ways)

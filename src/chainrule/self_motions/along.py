@@ -13,7 +13,7 @@ with the halves of that arc exchanged, which counts as a reconnection although e
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, overload
@@ -221,7 +221,8 @@ class _Walk:
 
     def mapped(self, exact: list[float]) -> SelfMotionAlong:
         """The path of a planar 3R arm. Between singular radii the curves stay as they are, listed in the same order."""
-        from chainrule.self_motions.maps import SINGULAR, self_motion_map
+        from chainrule.self_motions.maps import self_motion_map
+        from chainrule.self_motions.planar_case import SINGULAR
 
         places = sorted({*map(float, range(len(self.path))), *self.around(exact)})
         found = self_motion_map(self.arm, np.array([self.target(t) for t in places]))
@@ -410,7 +411,7 @@ class _Later(Sequence[SelfMotion]):
     """Self-motions at the targets of a path, each made when it is first looked at."""
 
     def __init__(self, arm: Arm, task: str, targets: Array, options: dict[str, Any]) -> None:
-        self._make = lambda k: self_motion(arm, targets[k], task, **options)
+        self._make: Callable[[int], SelfMotion] = lambda k: self_motion(arm, targets[k], task, **options)
         self._made: list[SelfMotion | None] = [None] * len(targets)
 
     def __len__(self) -> int:

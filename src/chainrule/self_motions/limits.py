@@ -239,7 +239,8 @@ def _reached(
             ahead = u - value / slope
         u = np.where((ahead >= first_u) & (ahead <= last_u), ahead, u)
     s = np.minimum(np.maximum(begin + u * share, low), high)
-    rising, settled, best = np.sign(last - first), np.zeros(len(s), bool), s
+    rising, settled = np.sign(last - first), np.zeros(len(s), bool)
+    best: Array = s
     for _ in range(NEWTON):
         q, t = bundle.at(curve, best * length, 2)
         slope = np.abs(t[each, joint])
@@ -493,14 +494,14 @@ def _arc(component: Component, grid: Grid, part: Part, edges: Array, index: int)
         inside = slice(*np.searchsorted(s, [np.nextafter(begin - r, 2.0), end - r]))
         q.append(grid.q[inside] + (shift + TURN * r * component.winding))
         h.append(grid.h[inside])
-    points, values = np.concatenate([*q, edges[1:] + shift]), np.concatenate(h)
+    rows, values = np.concatenate([*q, edges[1:] + shift]), np.concatenate(h)
     return replace(
         component,
-        q=points,
+        q=rows,
         length=component.length * (end - begin),
         closed=False,
         winding=np.zeros_like(component.winding),
-        box=np.array([points.min(axis=0), points.max(axis=0)]).T,
+        box=np.array([rows.min(axis=0), rows.max(axis=0)]).T,
         manipulability=(float(values.min()), float(values.max())),
         closure=math.nan,
         ends=ends,
