@@ -44,7 +44,7 @@ CONTINUATION = {
     "newton": 12,
     "settled": 1e-9,
     "left": 1e-16,
-    "powers": 4,
+    "powers": 3,
     "parts": 8,
     "order": 7,
     "least_turn": 0.02,

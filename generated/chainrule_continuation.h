@@ -159,21 +159,39 @@ static double cr_distance(const double *a, const double *b)
  * 1 / sqrt(D), |J^+|^2 is the largest eigenvalue of G = L^-T D L^-1, which is at most the root of |G^2| (Frobenius). */
 static int cr_minimum_norm(const double *jacobian, const double *e, int sharp, double *step, double *bound)
 {
-    double q[CR_N][CR_LANES] = { { 0.0 } }, inverse[CR_M][CR_LANES] = { { 0.0 } }; /* columns: of Q, and of 1 / L */
-    double y[CR_LANES] = { 0.0 }, over[CR_LANES] = { 0.0 }, share[CR_LANES];
-    for (int i = 0; i < CR_M; ++i) {
-        for (int k = 0; k < CR_N; ++k) {
+    double q[CR_N][CR_LANES], inverse[CR_M][CR_LANES]; /* columns: of Q, and of 1 / L */
+    double y[CR_LANES], over[CR_LANES], share[CR_LANES];
+    for (int k = 0; k < CR_N; ++k) {
+        for (int i = 0; i < CR_M; ++i) {
             q[k][i] = jacobian[i * CR_N + k];
         }
-        inverse[i][i] = 1.0;
-        y[i] = e[i];
+        for (int i = CR_M; i < CR_LANES; ++i) {
+            q[k][i] = 0.0;
+        }
+    }
+    for (int k = 0; k < CR_M; ++k) {
+        for (int i = 0; i < CR_LANES; ++i) {
+            inverse[k][i] = i == k ? 1.0 : 0.0;
+        }
+    }
+    for (int i = 0; i < CR_LANES; ++i) {
+        y[i] = i < CR_M ? e[i] : 0.0;
+        over[i] = 0.0;
     }
     for (int i = 0; i < CR_M; ++i) {
-        double product[CR_LANES] = { 0.0 };
-        for (int k = 0; k < CR_N; ++k) {
+        double product[CR_LANES], other[CR_LANES]; /* two sums: one would wait for itself */
+        for (int j = 0; j < CR_LANES; ++j) {
+            product[j] = other[j] = 0.0;
+        }
+        for (int k = 0; k + 1 < CR_N; k += 2) {
+            const double one = q[k][i], two = q[k + 1][i];
             for (int j = 0; j < CR_LANES; ++j) {
-                product[j] += q[k][i] * q[k][j];
+                product[j] += one * q[k][j];
+                other[j] += two * q[k + 1][j];
             }
+        }
+        for (int j = 0; j < CR_LANES; ++j) {
+            product[j] += other[j] + (CR_N % 2 ? q[CR_N - 1][i] * q[CR_N - 1][j] : 0.0);
         }
         if (!(product[i] > 1e-290)) {
             return 0;
@@ -223,8 +241,11 @@ static int cr_minimum_norm(const double *jacobian, const double *e, int sharp, d
         *bound = sqrt(squares);
         return 1;
     }
-    double gram[CR_M][CR_LANES] = { { 0.0 } };
+    double gram[CR_M][CR_LANES];
     for (int k = 0; k < CR_M; ++k) {
+        for (int l = CR_M; l < CR_LANES; ++l) {
+            gram[k][l] = 0.0;
+        }
         for (int l = k; l < CR_M; ++l) {
             double sum = 0.0;
             for (int j = l; j < CR_M; ++j) { /* L is lower triangular */
@@ -234,7 +255,10 @@ static int cr_minimum_norm(const double *jacobian, const double *e, int sharp, d
         }
     }
     for (int k = 0; k < CR_M; ++k) {
-        double row[CR_LANES] = { 0.0 };
+        double row[CR_LANES];
+        for (int j = 0; j < CR_LANES; ++j) {
+            row[j] = 0.0;
+        }
         for (int l = 0; l < CR_M; ++l) {
             for (int j = 0; j < CR_LANES; ++j) {
                 row[j] += gram[k][l] * gram[l][j];
@@ -349,7 +373,13 @@ static int cr_correct(chainrule_curve *c, const double *guess, const double *nor
  * part of [w_i][w_j] E: 1/2 for i != j and 0 for i = j where E = I, and sqrt(n) radius more in the ball. */
 static double cr_second_derivative(const chainrule_curve *c, const double *x, const double *jacobian, double radius)
 {
-    double reach[CR_N], bound[CR_N][CR_LANES] = { { 0.0 } }, y[CR_LANES], image[CR_LANES], ratio = 0.0, rest = 0.0;
+    double reach[CR_LANES], unit[CR_LANES], turning[CR_LANES], bound[CR_N][CR_LANES], y[CR_LANES], image[CR_LANES];
+    double ratio = 0.0, rest = 0.0;
+    for (int j = 0; j < CR_LANES; ++j) {
+        reach[j] = 0.0;
+        unit[j] = j < CR_N ? c->unit[j] : 0.0;
+        turning[j] = j < CR_N && c->kinds[j] == 'R' ? 1.0 : 0.0;
+    }
     for (int j = CR_N - 1; j >= 0; --j) {
         rest += c->links[j] + (c->kinds[j] == 'R' ? 0.0 : c->unit[j] * (fabs(x[j]) + radius));
         reach[j] = c->kinds[j] == 'R' ? rest : 1.0;
@@ -373,21 +403,21 @@ static double cr_second_derivative(const chainrule_curve *c, const double *x, co
             }
         }
     }
-    const double turns = sqrt((double)CR_N) * radius, over = 1.0 / c->size;
-    for (int i = 0; i < CR_N; ++i) {
-        for (int j = i; j < CR_N; ++j) {
-            double value = c->kinds[i] == 'R' ? reach[j] * c->unit[i] * c->unit[j] * over : 0.0;
-            if (c->spatial && c->kinds[i] == 'R' && c->kinds[j] == 'R') {
-                const double turned = turns + (i != j ? 0.5 : 0.0);
-                value = sqrt(value * value + turned * turned);
-            }
-            bound[i][j] = bound[j][i] = value;
+    const double turns = sqrt((double)CR_N) * radius, over = 1.0 / c->size, spatial = c->spatial ? 1.0 : 0.0;
+    for (int i = 0; i < CR_N; ++i) { /* row i from its diagonal on, the rest by symmetry */
+        for (int j = 0; j < CR_LANES; ++j) {
+            const double value = turning[i] * reach[j] * unit[i] * unit[j] * over;
+            const double turned = spatial * turning[i] * turning[j] * (turns + (j != i ? 0.5 : 0.0));
+            bound[i][j] = sqrt(value * value + turned * turned);
+        }
+        for (int j = 0; j < i; ++j) {
+            bound[i][j] = bound[j][i];
         }
     }
     for (int i = 0; i < CR_LANES; ++i) {
         y[i] = i < CR_N ? 1.0 : 0.0;
     }
-    for (int turn = 0; turn < 4; ++turn) { /* at most max (A y)_i / y_i for any y > 0 (Collatz and Wielandt) */
+    for (int turn = 0; turn < 3; ++turn) { /* at most max (A y)_i / y_i for any y > 0 (Collatz and Wielandt) */
         for (int i = 0; i < CR_LANES; ++i) {
             image[i] = 0.0;
         }

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 54fd598094100ed5744e3429fe8e28f216ff50e4a579a5982da5b4693e4dd788.
+ * Made from templates/kernel.h.j2; inputs 271a21d2060ca348c1e92565acffa0e47d5cab32df347a3e5052581c9577933d.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 41aea203b6e04f81294bb81657aaee12ca367decc0ba2f7750b4e90208242b81.
+ * Made from templates/kernel.c.j2; inputs e53423764339bfbf504da5273c1b599a9e35e9b39d115523440baeeb1f9a9935.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "41aea203b6e04f81294bb81657aaee12ca367decc0ba2f7750b4e90208242b81";
+const char crx10ial_pose_digest[] = "e53423764339bfbf504da5273c1b599a9e35e9b39d115523440baeeb1f9a9935";
 #endif
 
 #define LANES 64

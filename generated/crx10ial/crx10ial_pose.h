@@ -1,5 +1,5 @@
 /* crx10ial_pose.h: manipulability (pose) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 41aea203b6e04f81294bb81657aaee12ca367decc0ba2f7750b4e90208242b81.
+ * Made from templates/kernel.h.j2; inputs e53423764339bfbf504da5273c1b599a9e35e9b39d115523440baeeb1f9a9935.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs acc6f1fa3f8805917fa9135d1aa456c5f52e56fc0a0fbcc7367661613a6b94ac.
+ * Made from templates/kernel.c.j2; inputs 4b054031cacc5e7569da85920cff6fd65e4fd2210485349aee40f174f5fbcbbf.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "acc6f1fa3f8805917fa9135d1aa456c5f52e56fc0a0fbcc7367661613a6b94ac";
+const char gofa5_kinematics_digest[] = "4b054031cacc5e7569da85920cff6fd65e4fd2210485349aee40f174f5fbcbbf";
 #endif
 
 #define LANES 64

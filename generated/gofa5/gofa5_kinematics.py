@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs acc6f1fa3f8805917fa9135d1aa456c5f52e56fc0a0fbcc7367661613a6b94ac.
+Made from templates/kernel.py.j2; inputs 4b054031cacc5e7569da85920cff6fd65e4fd2210485349aee40f174f5fbcbbf.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f61acec7d7f8da8051bd6e9102922ee25cd9de793512a710c0dd75f837e684f5.
+Made from templates/kernel.py.j2; inputs a2fae62d8ff1cc20d4c43f24779efe9dadc158edd884713782a9afaf84c56395.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

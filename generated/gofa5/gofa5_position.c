@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs f61acec7d7f8da8051bd6e9102922ee25cd9de793512a710c0dd75f837e684f5.
+ * Made from templates/kernel.c.j2; inputs a2fae62d8ff1cc20d4c43f24779efe9dadc158edd884713782a9afaf84c56395.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "f61acec7d7f8da8051bd6e9102922ee25cd9de793512a710c0dd75f837e684f5";
+const char gofa5_position_digest[] = "a2fae62d8ff1cc20d4c43f24779efe9dadc158edd884713782a9afaf84c56395";
 #endif
 
 #define LANES 64

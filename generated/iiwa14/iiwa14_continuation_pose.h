@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs 46c3dfeeec24b6c9718ab8592d6b5f2eb14b894b89fd3d67356b39e1faf0b3b0.
+ * Made from templates/kernel.h.j2; inputs 9692c92c1516a996566aa5c784fc16ea03a11c7ab5f91b8e3e32391d00f44c61.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 46c3dfeeec24b6c9718ab8592d6b5f2eb14b894b89fd3d67356b39e1faf0b3b0.
+Made from templates/kernel.py.j2; inputs 9692c92c1516a996566aa5c784fc16ea03a11c7ab5f91b8e3e32391d00f44c61.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 6f7d88d7a5bf320c9996f47268a7f28026ccc2353b031f95e4d8b04c43f818c0.
+ * Made from templates/kernel.c.j2; inputs 4d201ece8fe2efcb45046d587aefac9d81075d9e67989a0e3b5b837b324eb140.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "6f7d88d7a5bf320c9996f47268a7f28026ccc2353b031f95e4d8b04c43f818c0";
+const char iiwa14_kinematics_digest[] = "4d201ece8fe2efcb45046d587aefac9d81075d9e67989a0e3b5b837b324eb140";
 #endif
 
 #define LANES 64

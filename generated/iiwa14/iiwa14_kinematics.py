@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6f7d88d7a5bf320c9996f47268a7f28026ccc2353b031f95e4d8b04c43f818c0.
+Made from templates/kernel.py.j2; inputs 4d201ece8fe2efcb45046d587aefac9d81075d9e67989a0e3b5b837b324eb140.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

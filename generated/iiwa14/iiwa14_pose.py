@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cb0e173d9e48257aeb0eb32ff86c138e47473e8300c98618ac4548a06d37017b.
+Made from templates/kernel.py.j2; inputs 2aec2ffe025b79db1628dd45936b5174a1f5f0ce032a2989a0e6056d1d605696.
 2462 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs db55851a11a4ce0601b9b38158ca9e81921473dda833bd38bb3163311c914bec.
+ * Made from templates/kernel.c.j2; inputs 055f984485c361fdb40b4f7f0f53a219e2fc62b84a5da1e475eeef61963afd79.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "db55851a11a4ce0601b9b38158ca9e81921473dda833bd38bb3163311c914bec";
+const char jaco2_kinematics_digest[] = "055f984485c361fdb40b4f7f0f53a219e2fc62b84a5da1e475eeef61963afd79";
 #endif
 
 #define LANES 64

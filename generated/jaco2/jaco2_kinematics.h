@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs db55851a11a4ce0601b9b38158ca9e81921473dda833bd38bb3163311c914bec.
+ * Made from templates/kernel.h.j2; inputs 055f984485c361fdb40b4f7f0f53a219e2fc62b84a5da1e475eeef61963afd79.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f37bda316bc9a94f821616361e2bce7d9fb38f9c6d5dbdd3fef3d00596c0a3e5.
+Made from templates/kernel.py.j2; inputs f5b4465edf3c106dbb80ae87b2d35a29d36f9d72e2f286c84c3bb52c98f67d2f.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1af21d6d3ddd738047aec6a28213d2645a34015a168d84ff19607fc9edd71b78.
+Made from templates/kernel.py.j2; inputs fbf70a9a77aa4c797caee55c30573af8e3ebf0cd7ab7de8c10e35c7487eb96b7.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 9c9be81bde9b2ab1002d10b6684795af81566d28c1bfbfb0f82da99039b2f349.
+ * Made from templates/kernel.c.j2; inputs a35aa9b365ccc862ca1a2db10a5a214e39319c31cad0d1ec1b78e4ecad93f92e.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "9c9be81bde9b2ab1002d10b6684795af81566d28c1bfbfb0f82da99039b2f349";
+const char orthogonal_3r_kinematics_digest[] = "a35aa9b365ccc862ca1a2db10a5a214e39319c31cad0d1ec1b78e4ecad93f92e";
 #endif
 
 #define LANES 64

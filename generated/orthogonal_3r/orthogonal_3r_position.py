@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9c9be81bde9b2ab1002d10b6684795af81566d28c1bfbfb0f82da99039b2f349.
+Made from templates/kernel.py.j2; inputs a35aa9b365ccc862ca1a2db10a5a214e39319c31cad0d1ec1b78e4ecad93f92e.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs 115dc18e8aafe3e04d89d5f105559d2613e601b352272de61614770eb8f5faee.
+ * Made from templates/kernel.h.j2; inputs 6b8bf16a8f9eabef94c6dde330a2816206e6f2ad593c3b57070558ba4af496c2.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

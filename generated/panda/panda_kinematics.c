@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 2a9ed7b80995f038bf8abe18ad389bdb63a49825a78a118d03f4b8a1564c021e.
+ * Made from templates/kernel.c.j2; inputs 08e2534592c0dbf4ad26f6b731585116eeed5642f7dedef185eb8cd3334c5bf6.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "2a9ed7b80995f038bf8abe18ad389bdb63a49825a78a118d03f4b8a1564c021e";
+const char panda_kinematics_digest[] = "08e2534592c0dbf4ad26f6b731585116eeed5642f7dedef185eb8cd3334c5bf6";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 2a9ed7b80995f038bf8abe18ad389bdb63a49825a78a118d03f4b8a1564c021e.
+ * Made from templates/kernel.h.j2; inputs 08e2534592c0dbf4ad26f6b731585116eeed5642f7dedef185eb8cd3334c5bf6.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

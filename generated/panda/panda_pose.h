@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs 30d872ff8f48ff3cf8efd78e1482a3a68cae4ab3cde2859966f7e1e8667c8bcb.
+ * Made from templates/kernel.h.j2; inputs 7602c997674d1ad9c1a31f6e74d8bf8cb5c74731e18faf93e3cb40adbc16264a.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

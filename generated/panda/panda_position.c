@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 30d872ff8f48ff3cf8efd78e1482a3a68cae4ab3cde2859966f7e1e8667c8bcb.
+ * Made from templates/kernel.c.j2; inputs 7602c997674d1ad9c1a31f6e74d8bf8cb5c74731e18faf93e3cb40adbc16264a.
  * 1852 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "30d872ff8f48ff3cf8efd78e1482a3a68cae4ab3cde2859966f7e1e8667c8bcb";
+const char panda_position_digest[] = "7602c997674d1ad9c1a31f6e74d8bf8cb5c74731e18faf93e3cb40adbc16264a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs c8b0f309f242dcb3ec38508c2f2c9ad37f648f79523f628a252889ee2bcb1b24.
+ * Made from templates/kernel.h.j2; inputs 5c0e015f4b1e591b0a3229374323c4401ab721b92cb897530e1bd5e5b8819d89.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

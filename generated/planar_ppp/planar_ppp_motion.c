@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs fd58bb2cf48e0fcaf669f203b81ddc107e4666fd6178fc1bd0365a9573abb86c.
+ * Made from templates/kernel.c.j2; inputs b613b74888b9d13e98ef1d2a6a54eb1eef0c05342bcbce78701f3607549f8de2.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "fd58bb2cf48e0fcaf669f203b81ddc107e4666fd6178fc1bd0365a9573abb86c";
+const char planar_ppp_motion_digest[] = "b613b74888b9d13e98ef1d2a6a54eb1eef0c05342bcbce78701f3607549f8de2";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fd58bb2cf48e0fcaf669f203b81ddc107e4666fd6178fc1bd0365a9573abb86c.
+Made from templates/kernel.py.j2; inputs b613b74888b9d13e98ef1d2a6a54eb1eef0c05342bcbce78701f3607549f8de2.
 153 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

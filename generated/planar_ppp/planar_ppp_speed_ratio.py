@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 82ab7a30d0c11ae14e716b8746c942bc813abae5b62cee4a010653b210abb15c.
+Made from templates/kernel.py.j2; inputs 12f1a8d030637b2c630f603e2d09820f635ab84d974eb2f313a95b692e50b387.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs c901e8b388a004fd92e25fc164635c634479ffe9d9736ac540cc3c381ae1c859.
+ * Made from templates/kernel.c.j2; inputs f984da67082b7ae0127d5d28a3549aafd2a92641db4030941ed3a2133663d1b1.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "c901e8b388a004fd92e25fc164635c634479ffe9d9736ac540cc3c381ae1c859";
+const char planar_ppr_kinematics_digest[] = "f984da67082b7ae0127d5d28a3549aafd2a92641db4030941ed3a2133663d1b1";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs da96dfa38548e1b774c2dc948353a24775752869ab434548b698df7bb04b9bb6.
+ * Made from templates/kernel.h.j2; inputs b40488b174ff700eca06c63f9ebf9bd87975e5d3b88fb51ae110b15eea20c2ec.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 11c113f8ab8ff36d591486f45d21a1da74ef007c76135fe0e7e2de43f32816a1.
+ * Made from templates/kernel.c.j2; inputs c8c71a94ee1c4ae32919d9f55652142648ab2addd0d930af1b9e7a56562783c4.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "11c113f8ab8ff36d591486f45d21a1da74ef007c76135fe0e7e2de43f32816a1";
+const char planar_ppr_speed_ratio_digest[] = "c8c71a94ee1c4ae32919d9f55652142648ab2addd0d930af1b9e7a56562783c4";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 11c113f8ab8ff36d591486f45d21a1da74ef007c76135fe0e7e2de43f32816a1.
+Made from templates/kernel.py.j2; inputs c8c71a94ee1c4ae32919d9f55652142648ab2addd0d930af1b9e7a56562783c4.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs 5964fac1e3adb12e212298911a058961fdf6107a2b65aedce4e3a8d71337b8d4.
+ * Made from templates/kernel.c.j2; inputs 294c4a2ae145a76642cd9056e61a255001921aeb4b218d85a2d7a80eb5a3b351.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "5964fac1e3adb12e212298911a058961fdf6107a2b65aedce4e3a8d71337b8d4";
+const char planar_prp_motion_digest[] = "294c4a2ae145a76642cd9056e61a255001921aeb4b218d85a2d7a80eb5a3b351";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 5964fac1e3adb12e212298911a058961fdf6107a2b65aedce4e3a8d71337b8d4.
+ * Made from templates/kernel.h.j2; inputs 294c4a2ae145a76642cd9056e61a255001921aeb4b218d85a2d7a80eb5a3b351.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5964fac1e3adb12e212298911a058961fdf6107a2b65aedce4e3a8d71337b8d4.
+Made from templates/kernel.py.j2; inputs 294c4a2ae145a76642cd9056e61a255001921aeb4b218d85a2d7a80eb5a3b351.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs beb8fd37e1e5b128211746ea811a80cd562452e478a2dbb27d88b67eabf02dad.
+ * Made from templates/kernel.c.j2; inputs f9aa05ff1b4c7f34e3fe4e1f6485fedcaa1563d99c38bb20a3876ed0ac55d39d.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "beb8fd37e1e5b128211746ea811a80cd562452e478a2dbb27d88b67eabf02dad";
+const char planar_prp_speed_ratio_digest[] = "f9aa05ff1b4c7f34e3fe4e1f6485fedcaa1563d99c38bb20a3876ed0ac55d39d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs 7027b0a9e59f77ad33d9e8ec44fefd4e9853fa0873f7db784f9e98f844d31141.
+ * Made from templates/kernel.h.j2; inputs 542955e7ba55220518672d3b966d561512b0c10fd31c5c19b8a429750e22df2d.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

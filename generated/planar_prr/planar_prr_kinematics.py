@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7027b0a9e59f77ad33d9e8ec44fefd4e9853fa0873f7db784f9e98f844d31141.
+Made from templates/kernel.py.j2; inputs 542955e7ba55220518672d3b966d561512b0c10fd31c5c19b8a429750e22df2d.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

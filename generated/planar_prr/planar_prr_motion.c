@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 2ddcb0cce750e39b1455795538a27d9d3838118e9f030a51bf7a43360324c9e8.
+ * Made from templates/kernel.c.j2; inputs 12966b17f7f942de53009ddd45ce2f132845da2d0b8813c833477a37b895e3ac.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "2ddcb0cce750e39b1455795538a27d9d3838118e9f030a51bf7a43360324c9e8";
+const char planar_prr_motion_digest[] = "12966b17f7f942de53009ddd45ce2f132845da2d0b8813c833477a37b895e3ac";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 681468be4421e542fdfbfd0211aaa23e61609e69aa0d94fa04f8cf3977a6194f.
+ * Made from templates/kernel.c.j2; inputs 5578f192d8aa8390a1b64cff7190d3578879947477cfb284e96432197bebb79a.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "681468be4421e542fdfbfd0211aaa23e61609e69aa0d94fa04f8cf3977a6194f";
+const char planar_prr_speed_ratio_digest[] = "5578f192d8aa8390a1b64cff7190d3578879947477cfb284e96432197bebb79a";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 681468be4421e542fdfbfd0211aaa23e61609e69aa0d94fa04f8cf3977a6194f.
+Made from templates/kernel.py.j2; inputs 5578f192d8aa8390a1b64cff7190d3578879947477cfb284e96432197bebb79a.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 7b9f7fd3d1b4d46e05830a467f9d0f94c4197bd64a23f458ede77f4782dd9fa0.
+ * Made from templates/kernel.c.j2; inputs 11f23f81aed3c1b3bd92dfb1e296962b3c3c5768a9cd857f4f3d3260d8ca3dfe.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "7b9f7fd3d1b4d46e05830a467f9d0f94c4197bd64a23f458ede77f4782dd9fa0";
+const char planar_rpp_motion_digest[] = "11f23f81aed3c1b3bd92dfb1e296962b3c3c5768a9cd857f4f3d3260d8ca3dfe";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7b9f7fd3d1b4d46e05830a467f9d0f94c4197bd64a23f458ede77f4782dd9fa0.
+Made from templates/kernel.py.j2; inputs 11f23f81aed3c1b3bd92dfb1e296962b3c3c5768a9cd857f4f3d3260d8ca3dfe.
 331 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

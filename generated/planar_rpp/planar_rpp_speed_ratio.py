@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4ea6d1776b26b1aa55e8ee47a051baf56d8d11201a09a3d04e374eef3eb87780.
+Made from templates/kernel.py.j2; inputs 99f9a15b06f86e4ceb8b5049f7053638c3dec9981cc8693c6be9144d5289c042.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

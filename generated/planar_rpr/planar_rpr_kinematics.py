@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b227aff164d88c0cf67d24d0a5e2fdff1461c1d4369d58e62f23fa3d7801b75e.
+Made from templates/kernel.py.j2; inputs 1764403186df7b806c65a0bea6da55b0915c253508d8b766fd7acc5d3e0ee845.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

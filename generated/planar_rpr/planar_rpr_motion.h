@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 25b2da37d08f03869d5f41031b60b652ec8041cc6003036757c6be981b1682bf.
+ * Made from templates/kernel.h.j2; inputs 0b7d43803b57ec7363f15be20fb4c1c3d4efc74d9e1fa8f9d9bce8ac04f883d7.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

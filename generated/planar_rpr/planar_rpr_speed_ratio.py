@@ -1,6 +1,6 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d31621fa3f4cd542893f3fb52174e4f5c1ea78153be0f4be71c1624a50c6b6db.
+Made from templates/kernel.py.j2; inputs 6b35e42354af8f2bd9e66534a147b07102df161bf82470f259dd6bbfbc95f65a.
 1003 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

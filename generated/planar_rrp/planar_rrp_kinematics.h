@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.h: kinematics of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 84cc9156a33d36ae1d621b24eceba924be47c55f4b2a26a978e3d027b524c008.
+ * Made from templates/kernel.h.j2; inputs 3d7816bb28cd54feb75345620f1e3d51a38c15286bd0cd62870daf36371dba58.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.h: continuation position of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 0788864aa6ecf5689a1fbaa922ed425ab1fb0f47543dbd9628e769882d8f0d8b.
+ * Made from templates/kernel.h.j2; inputs 735762d4ba0742b4217189164d6da2fe188bac591655cbbf9bbb91e8926a2819.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation x alpha of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0788864aa6ecf5689a1fbaa922ed425ab1fb0f47543dbd9628e769882d8f0d8b.
+Made from templates/kernel.py.j2; inputs 735762d4ba0742b4217189164d6da2fe188bac591655cbbf9bbb91e8926a2819.
 102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e81b6d989c48a67bb536df29600d55f0025c3381cd334e96bed9807e2eb59d88.
+Made from templates/kernel.py.j2; inputs a9466eefeb8519034ca2b80bd52ee860a2ff6d4ca1815cae3df8f5ca366e911d.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs da46691944fec7fb35f8395644fdd6c36cea0bb6c0e32b2482f0927f833dadca.
+ * Made from templates/kernel.h.j2; inputs e8e0455f74f7516de1a8b7f3e1aaefb3b1507009a7cbb1cfabe0b82f76c6adf0.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 45eaad8ba28f2967efbbf0b3c42f3153014114b59b35b08a04dd28e6173c241e.
+ * Made from templates/kernel.h.j2; inputs 5015fb0344a3755a715d0f9e9b58784578c7bfb382b38cd91385f8fe89a625e4.
  * 1575 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs efdff102522e5bd06a962329eeba79ae847ba6b291304c8090fc2c290d1de72f.
+ * Made from templates/kernel.c.j2; inputs dd1f5b55d06beda9812f57b33143dbfe1cca6845670d595a793c895a437b16e7.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "efdff102522e5bd06a962329eeba79ae847ba6b291304c8090fc2c290d1de72f";
+const char planar_rrr_speed_ratio_digest[] = "dd1f5b55d06beda9812f57b33143dbfe1cca6845670d595a793c895a437b16e7";
 #endif
 
 #define LANES 64

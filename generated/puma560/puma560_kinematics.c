@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs ab70baf0f894e06439e28a19597cd12d7f04a1f871265588f282645ab212a320.
+ * Made from templates/kernel.c.j2; inputs d1d3def262b48949fe64073a01be9715208c96647b72be0ff2af0547ccac4ae1.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "ab70baf0f894e06439e28a19597cd12d7f04a1f871265588f282645ab212a320";
+const char puma560_kinematics_digest[] = "d1d3def262b48949fe64073a01be9715208c96647b72be0ff2af0547ccac4ae1";
 #endif
 
 #define LANES 64

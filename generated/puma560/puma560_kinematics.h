@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs ab70baf0f894e06439e28a19597cd12d7f04a1f871265588f282645ab212a320.
+ * Made from templates/kernel.h.j2; inputs d1d3def262b48949fe64073a01be9715208c96647b72be0ff2af0547ccac4ae1.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* puma560_position.c: manipulability (position) of puma560.
- * Made from templates/kernel.c.j2; inputs 6dfb8e0147bb907e0e86e7c921b26324e05920d56caf9fea505c6bf07345cdf3.
+ * Made from templates/kernel.c.j2; inputs 2863a0b5df451f0695380c41f5cb062cca294dec834ca20133297e0c6f2398d8.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_position_digest[] = "6dfb8e0147bb907e0e86e7c921b26324e05920d56caf9fea505c6bf07345cdf3";
+const char puma560_position_digest[] = "2863a0b5df451f0695380c41f5cb062cca294dec834ca20133297e0c6f2398d8";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs 6dfb8e0147bb907e0e86e7c921b26324e05920d56caf9fea505c6bf07345cdf3.
+ * Made from templates/kernel.h.j2; inputs 2863a0b5df451f0695380c41f5cb062cca294dec834ca20133297e0c6f2398d8.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

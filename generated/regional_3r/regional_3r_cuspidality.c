@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs b91c3f8ba6776e69894472431d89a87068c14cc8eafcc0bbb802302babb9352c.
+ * Made from templates/kernel.c.j2; inputs 1cb340f03638b25826ee2b9203b5afeb3c376e72a200ba59394c0a0eda4badc2.
  * 4089 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "b91c3f8ba6776e69894472431d89a87068c14cc8eafcc0bbb802302babb9352c";
+const char regional_3r_cuspidality_digest[] = "1cb340f03638b25826ee2b9203b5afeb3c376e72a200ba59394c0a0eda4badc2";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs b91c3f8ba6776e69894472431d89a87068c14cc8eafcc0bbb802302babb9352c.
+ * Made from templates/kernel.h.j2; inputs 1cb340f03638b25826ee2b9203b5afeb3c376e72a200ba59394c0a0eda4badc2.
  * 4089 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b91c3f8ba6776e69894472431d89a87068c14cc8eafcc0bbb802302babb9352c.
+Made from templates/kernel.py.j2; inputs 1cb340f03638b25826ee2b9203b5afeb3c376e72a200ba59394c0a0eda4badc2.
 4089 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d36a71ee06fa45e3d14f1784d1c651af227363acaafdd17e8911aef6f62b04ed.
+Made from templates/kernel.py.j2; inputs 32fafb7378d522fa3a19ba6deee70293d499340dd209ecac50b9b2119b8fe51e.
 3779 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

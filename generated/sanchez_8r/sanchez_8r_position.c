@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs d36a71ee06fa45e3d14f1784d1c651af227363acaafdd17e8911aef6f62b04ed.
+ * Made from templates/kernel.c.j2; inputs 32fafb7378d522fa3a19ba6deee70293d499340dd209ecac50b9b2119b8fe51e.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "d36a71ee06fa45e3d14f1784d1c651af227363acaafdd17e8911aef6f62b04ed";
+const char sanchez_8r_position_digest[] = "32fafb7378d522fa3a19ba6deee70293d499340dd209ecac50b9b2119b8fe51e";
 #endif
 
 #define LANES 32

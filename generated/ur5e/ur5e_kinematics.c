@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 68e5c1759539023999903002fb7e0e4dfe0582113ea7b5b5aa38a3fecb9e8f61.
+ * Made from templates/kernel.c.j2; inputs 50f30b6579d6834e446a06e62c90e563ab572a280949fc1d27e4e7f0b6b44e63.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "68e5c1759539023999903002fb7e0e4dfe0582113ea7b5b5aa38a3fecb9e8f61";
+const char ur5e_kinematics_digest[] = "50f30b6579d6834e446a06e62c90e563ab572a280949fc1d27e4e7f0b6b44e63";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.h: kinematics of ur5e.
- * Made from templates/kernel.h.j2; inputs 68e5c1759539023999903002fb7e0e4dfe0582113ea7b5b5aa38a3fecb9e8f61.
+ * Made from templates/kernel.h.j2; inputs 50f30b6579d6834e446a06e62c90e563ab572a280949fc1d27e4e7f0b6b44e63.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

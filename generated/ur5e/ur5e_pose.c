@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 8768fc29d12dc577c8f9bc66969d0dc4632fb2656a2f2bc22625abf3f3849f9d.
+ * Made from templates/kernel.c.j2; inputs 5ec3152a654f9be7641875a90f5acf7269cc0bee68a2b5df6f94c224aac00041.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "8768fc29d12dc577c8f9bc66969d0dc4632fb2656a2f2bc22625abf3f3849f9d";
+const char ur5e_pose_digest[] = "5ec3152a654f9be7641875a90f5acf7269cc0bee68a2b5df6f94c224aac00041";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_pose.h: manipulability (pose) of ur5e.
- * Made from templates/kernel.h.j2; inputs 8768fc29d12dc577c8f9bc66969d0dc4632fb2656a2f2bc22625abf3f3849f9d.
+ * Made from templates/kernel.h.j2; inputs 5ec3152a654f9be7641875a90f5acf7269cc0bee68a2b5df6f94c224aac00041.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

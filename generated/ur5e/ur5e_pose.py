@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8768fc29d12dc577c8f9bc66969d0dc4632fb2656a2f2bc22625abf3f3849f9d.
+Made from templates/kernel.py.j2; inputs 5ec3152a654f9be7641875a90f5acf7269cc0bee68a2b5df6f94c224aac00041.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

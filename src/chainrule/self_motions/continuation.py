@@ -29,7 +29,7 @@ from chainrule.self_motions.tracing import Settings, System, Trace, quintic
 Array = NDArray[Any]
 
 #: Points the kernel may write in one call, at first.
-ROOM = 1 << 15
+ROOM = 1 << 12
 #: Corrections of points between those of the kernel.
 CORRECTIONS = 3
 #: Most corrections, and the largest one (rad), of :func:`project`; and the last one, below which it has arrived.
@@ -560,33 +560,40 @@ def trace_many(
 
 def component(held: Held, forward: Trace, backward: Trace | None, target: Array) -> Component:
     """A traced curve (with what was traced against the null vector, where it does not close) as a result."""
-    parts = [forward] if backward is None else [_reversed(backward), forward]
-    skip = [0, 1][: len(parts)]
-    offset = parts[0].s[-1] if len(parts) > 1 and len(parts[0].s) else 0.0
-    q = np.concatenate([part.q[drop:] for part, drop in zip(parts, skip, strict=True)])
-    t = np.concatenate([part.tangent[drop:] for part, drop in zip(parts, skip, strict=True)])
-    k = np.concatenate([part.bend[drop:] for part, drop in zip(parts, skip, strict=True)])
-    s = np.concatenate([part.s[drop:] + shift for part, drop, shift in zip(parts, skip, (0.0, offset), strict=False)])
-    h = np.concatenate([part.h[drop:] for part, drop in zip(parts, skip, strict=True)])
-    knots = np.concatenate([part.knots for part in parts])
-    knots[len(knots) - len(forward.knots) :, 1] += offset
+    whole = forward if backward is None else _joined(_reversed(backward), forward)
     closed = backward is None
-    low, high = (np.stack([part.box[:, side] for part in parts]) for side in (0, 1))
-    box = np.stack([low.min(axis=0), high.max(axis=0)], axis=1)
-    error = held.evaluate(q, target)[0]
+    error = held.evaluate(whole.q, target)[0]
     return Component(
-        q=q,
-        length=float(s[-1]),
+        q=whole.q,
+        length=float(whole.s[-1]),
         closed=closed,
         winding=forward.winding,
-        box=box,
-        manipulability=(min(part.span[0] for part in parts), max(part.span[1] for part in parts)),
+        box=whole.box,
+        manipulability=whole.span,
         residual=float(np.abs(error).max()),
         closure=forward.closure,
         ends=() if backward is None else (ENDS[backward.reason], ENDS[forward.reason]),
-        signs=kept_signs(box, held.revolute),
+        signs=kept_signs(whole.box, held.revolute),
         scale=held.scale,
-        points=Dense(held, target, q / held.unit, t, k, s, h, knots),
+        points=Dense(held, target, whole.q / held.unit, whole.tangent, whole.bend, whole.s, whole.h, whole.knots),
+    )
+
+
+def _joined(first: Trace, last: Trace) -> Trace:
+    """Two traces, the last from where the first ends."""
+    offset = first.s[-1] if len(first.s) else 0.0
+
+    def both(name: str) -> Array:
+        return np.concatenate([getattr(first, name), getattr(last, name)[1:]])
+
+    low, high = np.minimum(first.box, last.box), np.maximum(first.box, last.box)
+    return replace(
+        last,
+        **{name: both(name) for name in ("q", "tangent", "bend", "h", "slope")},
+        s=np.concatenate([first.s, last.s[1:] + offset]),
+        knots=np.concatenate([first.knots, last.knots + np.array([0.0, offset, 0.0])]),
+        box=np.stack([low[:, 0], high[:, 1]], axis=1),
+        span=(min(first.span[0], last.span[0]), max(first.span[1], last.span[1])),
     )
 
 
@@ -607,7 +614,7 @@ def _reversed(trace: Trace) -> Trace:
 def kept_signs(box: Array, revolute: Array) -> dict[str, int]:
     """Signs of sin q_i (of q_i itself for prismatic joints) that hold in the whole range of a joint."""
     found = {}
-    for i, ((low, high), turning) in enumerate(zip(box, revolute, strict=True), 1):
+    for i, ((low, high), turning) in enumerate(zip(box.tolist(), revolute.tolist(), strict=True), 1):
         half = math.floor(low / math.pi) if turning else (0 if low > 0.0 else -1)
         inside = low > half * math.pi and high < (half + 1) * math.pi if turning else low > 0.0 or high < 0.0
         if inside:
