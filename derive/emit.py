@@ -46,6 +46,7 @@ CONTINUATION = {
     "left": 1e-16,
     "powers": 3,
     "parts": 8,
+    "level": 1e-12,
     "order": 7,
     "least_turn": 0.02,
     "most_turn": 0.7,

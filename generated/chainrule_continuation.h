@@ -790,6 +790,13 @@ static int cr_extrema(chainrule_curve *c, double *box)
         }
         cr_slopes(a, b, slopes);
         for (int i = 0; i <= CR_N; ++i) {
+            double steepest = 0.0; /* what does not move has slopes of rounding, of either sign */
+            for (int part = 0; part <= CR_PARTS; ++part) {
+                steepest = cr_most(steepest, fabs(slopes[part][i]));
+            }
+            if (steepest <= 1e-12 * (i < CR_N ? 1.0 : a[3 * CR_N + 1])) {
+                continue;
+            }
             for (int part = 0; part < CR_PARTS; ++part) {
                 const double before = slopes[part][i], after = slopes[part + 1][i], share = 1.0 / CR_PARTS;
                 if ((before > 0.0) == (after > 0.0)) {

@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs e53423764339bfbf504da5273c1b599a9e35e9b39d115523440baeeb1f9a9935.
+ * Made from templates/kernel.c.j2; inputs 99ceed77adcbdfe78f8883ca77696422f550c26e0d13569337753deedcd27b53.
  * 1276 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "e53423764339bfbf504da5273c1b599a9e35e9b39d115523440baeeb1f9a9935";
+const char crx10ial_position_digest[] = "99ceed77adcbdfe78f8883ca77696422f550c26e0d13569337753deedcd27b53";
 #endif
 
 #define LANES 64

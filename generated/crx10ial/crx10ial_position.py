@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e53423764339bfbf504da5273c1b599a9e35e9b39d115523440baeeb1f9a9935.
+Made from templates/kernel.py.j2; inputs 99ceed77adcbdfe78f8883ca77696422f550c26e0d13569337753deedcd27b53.
 1276 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

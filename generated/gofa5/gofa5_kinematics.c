@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 4b054031cacc5e7569da85920cff6fd65e4fd2210485349aee40f174f5fbcbbf.
+ * Made from templates/kernel.c.j2; inputs af28a58302787be251d4257211b625d941a7998de4a57f2f63c0542e3900a5aa.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "4b054031cacc5e7569da85920cff6fd65e4fd2210485349aee40f174f5fbcbbf";
+const char gofa5_kinematics_digest[] = "af28a58302787be251d4257211b625d941a7998de4a57f2f63c0542e3900a5aa";
 #endif
 
 #define LANES 64

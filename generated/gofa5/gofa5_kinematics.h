@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 4b054031cacc5e7569da85920cff6fd65e4fd2210485349aee40f174f5fbcbbf.
+ * Made from templates/kernel.h.j2; inputs af28a58302787be251d4257211b625d941a7998de4a57f2f63c0542e3900a5aa.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

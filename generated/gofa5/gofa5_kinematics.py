@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4b054031cacc5e7569da85920cff6fd65e4fd2210485349aee40f174f5fbcbbf.
+Made from templates/kernel.py.j2; inputs af28a58302787be251d4257211b625d941a7998de4a57f2f63c0542e3900a5aa.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs a2fae62d8ff1cc20d4c43f24779efe9dadc158edd884713782a9afaf84c56395.
+ * Made from templates/kernel.h.j2; inputs a9ff16a123bb921312085bfa6f61f014cac322f041bda42c34ee72cce6f2b083.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs a2fae62d8ff1cc20d4c43f24779efe9dadc158edd884713782a9afaf84c56395.
+ * Made from templates/kernel.c.j2; inputs a9ff16a123bb921312085bfa6f61f014cac322f041bda42c34ee72cce6f2b083.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "a2fae62d8ff1cc20d4c43f24779efe9dadc158edd884713782a9afaf84c56395";
+const char gofa5_position_digest[] = "a9ff16a123bb921312085bfa6f61f014cac322f041bda42c34ee72cce6f2b083";
 #endif
 
 #define LANES 64

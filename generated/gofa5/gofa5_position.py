@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a2fae62d8ff1cc20d4c43f24779efe9dadc158edd884713782a9afaf84c56395.
+Made from templates/kernel.py.j2; inputs a9ff16a123bb921312085bfa6f61f014cac322f041bda42c34ee72cce6f2b083.
 1337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 9692c92c1516a996566aa5c784fc16ea03a11c7ab5f91b8e3e32391d00f44c61.
+ * Made from templates/kernel.c.j2; inputs c4d811e13cf11eea4068036482ce0e2951ad4488bda52056a44b650cfde88b00.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "9692c92c1516a996566aa5c784fc16ea03a11c7ab5f91b8e3e32391d00f44c61";
+const char iiwa14_continuation_pose_digest[] = "c4d811e13cf11eea4068036482ce0e2951ad4488bda52056a44b650cfde88b00";
 #endif
 
 #define LANES 32

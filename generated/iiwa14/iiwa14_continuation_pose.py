@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9692c92c1516a996566aa5c784fc16ea03a11c7ab5f91b8e3e32391d00f44c61.
+Made from templates/kernel.py.j2; inputs c4d811e13cf11eea4068036482ce0e2951ad4488bda52056a44b650cfde88b00.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

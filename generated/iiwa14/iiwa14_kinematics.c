@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 4d201ece8fe2efcb45046d587aefac9d81075d9e67989a0e3b5b837b324eb140.
+ * Made from templates/kernel.c.j2; inputs 2585e25d96ae9bfbf330e1add90a4ca2377e14b7f1e9aa4ac4367975fb9d6a93.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "4d201ece8fe2efcb45046d587aefac9d81075d9e67989a0e3b5b837b324eb140";
+const char iiwa14_kinematics_digest[] = "2585e25d96ae9bfbf330e1add90a4ca2377e14b7f1e9aa4ac4367975fb9d6a93";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4d201ece8fe2efcb45046d587aefac9d81075d9e67989a0e3b5b837b324eb140.
+Made from templates/kernel.py.j2; inputs 2585e25d96ae9bfbf330e1add90a4ca2377e14b7f1e9aa4ac4367975fb9d6a93.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

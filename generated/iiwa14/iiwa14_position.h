@@ -1,5 +1,5 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 2aec2ffe025b79db1628dd45936b5174a1f5f0ce032a2989a0e6056d1d605696.
+ * Made from templates/kernel.h.j2; inputs 2a3a93d31feb9d3e6f75ee35452552d341bb23530275b7d38b46c56135dbaf28.
  * 1678 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

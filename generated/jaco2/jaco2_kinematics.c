@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 055f984485c361fdb40b4f7f0f53a219e2fc62b84a5da1e475eeef61963afd79.
+ * Made from templates/kernel.c.j2; inputs bb9d5861e4137afed6c3bc9d3bc4e880d8299dcbe979e0e14556989db6d57d18.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "055f984485c361fdb40b4f7f0f53a219e2fc62b84a5da1e475eeef61963afd79";
+const char jaco2_kinematics_digest[] = "bb9d5861e4137afed6c3bc9d3bc4e880d8299dcbe979e0e14556989db6d57d18";
 #endif
 
 #define LANES 64

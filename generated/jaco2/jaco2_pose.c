@@ -1,5 +1,5 @@
 /* jaco2_pose.c: manipulability (pose) of jaco2.
- * Made from templates/kernel.c.j2; inputs f5b4465edf3c106dbb80ae87b2d35a29d36f9d72e2f286c84c3bb52c98f67d2f.
+ * Made from templates/kernel.c.j2; inputs d5732f365b329e245dd2acb9680eb5893fb80afcade84aed099b26a275b90824.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_pose_digest[] = "f5b4465edf3c106dbb80ae87b2d35a29d36f9d72e2f286c84c3bb52c98f67d2f";
+const char jaco2_pose_digest[] = "d5732f365b329e245dd2acb9680eb5893fb80afcade84aed099b26a275b90824";
 #endif
 
 #define LANES 64

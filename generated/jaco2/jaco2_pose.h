@@ -1,5 +1,5 @@
 /* jaco2_pose.h: manipulability (pose) of jaco2.
- * Made from templates/kernel.h.j2; inputs f5b4465edf3c106dbb80ae87b2d35a29d36f9d72e2f286c84c3bb52c98f67d2f.
+ * Made from templates/kernel.h.j2; inputs d5732f365b329e245dd2acb9680eb5893fb80afcade84aed099b26a275b90824.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

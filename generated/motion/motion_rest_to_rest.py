@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fbf70a9a77aa4c797caee55c30573af8e3ebf0cd7ab7de8c10e35c7487eb96b7.
+Made from templates/kernel.py.j2; inputs 049b7ec58956f0a0b3de483d18bad3dd7815aaf8a2ab6c379dbbc824f76531d7.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

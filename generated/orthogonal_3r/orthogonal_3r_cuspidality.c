@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs e4b9943b553d59af84b30de87383f2dd4e758ddf6bad2fb47c8b2ce3895937e5.
+ * Made from templates/kernel.c.j2; inputs 10b8aa20e1f0a7a1484248e65553f5c2c1ada210d90ca4cc1891558a0dce68aa.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "e4b9943b553d59af84b30de87383f2dd4e758ddf6bad2fb47c8b2ce3895937e5";
+const char orthogonal_3r_cuspidality_digest[] = "10b8aa20e1f0a7a1484248e65553f5c2c1ada210d90ca4cc1891558a0dce68aa";
 #endif
 
 #define LANES 32

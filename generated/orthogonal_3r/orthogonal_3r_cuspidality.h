@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs e4b9943b553d59af84b30de87383f2dd4e758ddf6bad2fb47c8b2ce3895937e5.
+ * Made from templates/kernel.h.j2; inputs 10b8aa20e1f0a7a1484248e65553f5c2c1ada210d90ca4cc1891558a0dce68aa.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

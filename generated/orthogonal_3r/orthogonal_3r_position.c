@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs a35aa9b365ccc862ca1a2db10a5a214e39319c31cad0d1ec1b78e4ecad93f92e.
+ * Made from templates/kernel.c.j2; inputs 219d8a8dcc87d17eee54d6ece3db34a45d947e33ac47bb5a5cab3b07e14bde33.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "a35aa9b365ccc862ca1a2db10a5a214e39319c31cad0d1ec1b78e4ecad93f92e";
+const char orthogonal_3r_position_digest[] = "219d8a8dcc87d17eee54d6ece3db34a45d947e33ac47bb5a5cab3b07e14bde33";
 #endif
 
 #define LANES 64

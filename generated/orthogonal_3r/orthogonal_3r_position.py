@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a35aa9b365ccc862ca1a2db10a5a214e39319c31cad0d1ec1b78e4ecad93f92e.
+Made from templates/kernel.py.j2; inputs 219d8a8dcc87d17eee54d6ece3db34a45d947e33ac47bb5a5cab3b07e14bde33.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6b8bf16a8f9eabef94c6dde330a2816206e6f2ad593c3b57070558ba4af496c2.
+Made from templates/kernel.py.j2; inputs 8856ed4b796e59b21bc76ac299d421aa16f655b90dcd28cd6d61f174c049b072.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 08e2534592c0dbf4ad26f6b731585116eeed5642f7dedef185eb8cd3334c5bf6.
+ * Made from templates/kernel.h.j2; inputs e706985caaedd05a9bfe4ae6cf044c1ae5160a7592a0c81d7fb44d9842a60f9f.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7602c997674d1ad9c1a31f6e74d8bf8cb5c74731e18faf93e3cb40adbc16264a.
+Made from templates/kernel.py.j2; inputs 7b7912bddfaf794e6359e8b1d968379c786171521e8d133c65879b1d819765a7.
 1852 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.c: kinematics of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 5c0e015f4b1e591b0a3229374323c4401ab721b92cb897530e1bd5e5b8819d89.
+ * Made from templates/kernel.c.j2; inputs 357de8b943383904376eebbb168209ea31a22e754e074ec6cde95057216b8f4a.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_kinematics_digest[] = "5c0e015f4b1e591b0a3229374323c4401ab721b92cb897530e1bd5e5b8819d89";
+const char planar_ppp_kinematics_digest[] = "357de8b943383904376eebbb168209ea31a22e754e074ec6cde95057216b8f4a";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5c0e015f4b1e591b0a3229374323c4401ab721b92cb897530e1bd5e5b8819d89.
+Made from templates/kernel.py.j2; inputs 357de8b943383904376eebbb168209ea31a22e754e074ec6cde95057216b8f4a.
 209 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs b613b74888b9d13e98ef1d2a6a54eb1eef0c05342bcbce78701f3607549f8de2.
+ * Made from templates/kernel.c.j2; inputs 51db9bca4e862df59ef91169d9333011c51ea6d5851cda3f9e45ad3fe532116b.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "b613b74888b9d13e98ef1d2a6a54eb1eef0c05342bcbce78701f3607549f8de2";
+const char planar_ppp_motion_digest[] = "51db9bca4e862df59ef91169d9333011c51ea6d5851cda3f9e45ad3fe532116b";
 #endif
 
 #define LANES 64

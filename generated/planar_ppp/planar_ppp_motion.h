@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs b613b74888b9d13e98ef1d2a6a54eb1eef0c05342bcbce78701f3607549f8de2.
+ * Made from templates/kernel.h.j2; inputs 51db9bca4e862df59ef91169d9333011c51ea6d5851cda3f9e45ad3fe532116b.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

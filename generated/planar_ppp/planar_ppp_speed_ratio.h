@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 12f1a8d030637b2c630f603e2d09820f635ab84d974eb2f313a95b692e50b387.
+ * Made from templates/kernel.h.j2; inputs 640118c5e9a9a064d4ba060817352ed778a208866919d5487b936c012078f908.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

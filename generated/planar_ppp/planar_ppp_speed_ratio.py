@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 12f1a8d030637b2c630f603e2d09820f635ab84d974eb2f313a95b692e50b387.
+Made from templates/kernel.py.j2; inputs 640118c5e9a9a064d4ba060817352ed778a208866919d5487b936c012078f908.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

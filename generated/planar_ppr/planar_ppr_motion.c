@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs b40488b174ff700eca06c63f9ebf9bd87975e5d3b88fb51ae110b15eea20c2ec.
+ * Made from templates/kernel.c.j2; inputs bc2a3228a044c924e14b3dab344ae967bcb0993e54b062a3acbbbb73d3cabd5f.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "b40488b174ff700eca06c63f9ebf9bd87975e5d3b88fb51ae110b15eea20c2ec";
+const char planar_ppr_motion_digest[] = "bc2a3228a044c924e14b3dab344ae967bcb0993e54b062a3acbbbb73d3cabd5f";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs b40488b174ff700eca06c63f9ebf9bd87975e5d3b88fb51ae110b15eea20c2ec.
+ * Made from templates/kernel.h.j2; inputs bc2a3228a044c924e14b3dab344ae967bcb0993e54b062a3acbbbb73d3cabd5f.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

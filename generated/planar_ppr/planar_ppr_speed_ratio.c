@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs c8c71a94ee1c4ae32919d9f55652142648ab2addd0d930af1b9e7a56562783c4.
+ * Made from templates/kernel.c.j2; inputs 484e33b0baada49f2ff6dd16d263ab5e8b78270931501e81f84febc6626ff7c7.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "c8c71a94ee1c4ae32919d9f55652142648ab2addd0d930af1b9e7a56562783c4";
+const char planar_ppr_speed_ratio_digest[] = "484e33b0baada49f2ff6dd16d263ab5e8b78270931501e81f84febc6626ff7c7";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs c8c71a94ee1c4ae32919d9f55652142648ab2addd0d930af1b9e7a56562783c4.
+ * Made from templates/kernel.h.j2; inputs 484e33b0baada49f2ff6dd16d263ab5e8b78270931501e81f84febc6626ff7c7.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs ba59711815bb184d19d99be0f1def246f3d8e939bdc73d2fe5d5f347d3a20a12.
+ * Made from templates/kernel.c.j2; inputs 7b49015d7c609d04c8ddfaefe107f25d0fcf53be3da3bb0673e2f399042e58be.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "ba59711815bb184d19d99be0f1def246f3d8e939bdc73d2fe5d5f347d3a20a12";
+const char planar_prp_kinematics_digest[] = "7b49015d7c609d04c8ddfaefe107f25d0fcf53be3da3bb0673e2f399042e58be";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs ba59711815bb184d19d99be0f1def246f3d8e939bdc73d2fe5d5f347d3a20a12.
+ * Made from templates/kernel.h.j2; inputs 7b49015d7c609d04c8ddfaefe107f25d0fcf53be3da3bb0673e2f399042e58be.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

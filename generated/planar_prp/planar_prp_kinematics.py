@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ba59711815bb184d19d99be0f1def246f3d8e939bdc73d2fe5d5f347d3a20a12.
+Made from templates/kernel.py.j2; inputs 7b49015d7c609d04c8ddfaefe107f25d0fcf53be3da3bb0673e2f399042e58be.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

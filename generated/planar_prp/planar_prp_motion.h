@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 294c4a2ae145a76642cd9056e61a255001921aeb4b218d85a2d7a80eb5a3b351.
+ * Made from templates/kernel.h.j2; inputs 48af623c2bc7523235a52380dd865de8df7d0e8937db3a424ed40a7c65240cb9.
  * 265 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 294c4a2ae145a76642cd9056e61a255001921aeb4b218d85a2d7a80eb5a3b351.
+Made from templates/kernel.py.j2; inputs 48af623c2bc7523235a52380dd865de8df7d0e8937db3a424ed40a7c65240cb9.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

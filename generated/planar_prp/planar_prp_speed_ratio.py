@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f9aa05ff1b4c7f34e3fe4e1f6485fedcaa1563d99c38bb20a3876ed0ac55d39d.
+Made from templates/kernel.py.j2; inputs 507cbd4ee6bdc95781af1b78ca02629e8e78a84d0c372391fe142d86d4340b58.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs 12966b17f7f942de53009ddd45ce2f132845da2d0b8813c833477a37b895e3ac.
+ * Made from templates/kernel.h.j2; inputs 6b8e9efb7d78cb24a4469beaf43ba02c9f11432da9fce0c795f29f132b64d123.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 12966b17f7f942de53009ddd45ce2f132845da2d0b8813c833477a37b895e3ac.
+Made from templates/kernel.py.j2; inputs 6b8e9efb7d78cb24a4469beaf43ba02c9f11432da9fce0c795f29f132b64d123.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

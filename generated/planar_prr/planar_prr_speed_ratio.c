@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 5578f192d8aa8390a1b64cff7190d3578879947477cfb284e96432197bebb79a.
+ * Made from templates/kernel.c.j2; inputs 194619e0e0eb916ab2aee86e5c72de5921ae8ceb96ea8e8ddb9df82247547d0a.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "5578f192d8aa8390a1b64cff7190d3578879947477cfb284e96432197bebb79a";
+const char planar_prr_speed_ratio_digest[] = "194619e0e0eb916ab2aee86e5c72de5921ae8ceb96ea8e8ddb9df82247547d0a";
 #endif
 
 #define LANES 64

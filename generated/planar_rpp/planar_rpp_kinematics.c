@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 7a5e1b9766daa8cf3a01a62eb10f359a4a5c7ad1128fc6c1a619029d0d548469.
+ * Made from templates/kernel.c.j2; inputs 82420e98392580d89ad6aacba3f9458d3e7329de03a7ebb61aedac2a09556934.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "7a5e1b9766daa8cf3a01a62eb10f359a4a5c7ad1128fc6c1a619029d0d548469";
+const char planar_rpp_kinematics_digest[] = "82420e98392580d89ad6aacba3f9458d3e7329de03a7ebb61aedac2a09556934";
 #endif
 
 #define LANES 64

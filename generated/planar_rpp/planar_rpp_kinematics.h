@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 7a5e1b9766daa8cf3a01a62eb10f359a4a5c7ad1128fc6c1a619029d0d548469.
+ * Made from templates/kernel.h.j2; inputs 82420e98392580d89ad6aacba3f9458d3e7329de03a7ebb61aedac2a09556934.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

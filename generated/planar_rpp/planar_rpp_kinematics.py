@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7a5e1b9766daa8cf3a01a62eb10f359a4a5c7ad1128fc6c1a619029d0d548469.
+Made from templates/kernel.py.j2; inputs 82420e98392580d89ad6aacba3f9458d3e7329de03a7ebb61aedac2a09556934.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 11f23f81aed3c1b3bd92dfb1e296962b3c3c5768a9cd857f4f3d3260d8ca3dfe.
+ * Made from templates/kernel.c.j2; inputs a5f1bfe1e271a2a23817d4d3e1baad5ce229a52322b8518b97c33b17e34e963c.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "11f23f81aed3c1b3bd92dfb1e296962b3c3c5768a9cd857f4f3d3260d8ca3dfe";
+const char planar_rpp_motion_digest[] = "a5f1bfe1e271a2a23817d4d3e1baad5ce229a52322b8518b97c33b17e34e963c";
 #endif
 
 #define LANES 64

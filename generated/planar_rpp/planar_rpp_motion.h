@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 11f23f81aed3c1b3bd92dfb1e296962b3c3c5768a9cd857f4f3d3260d8ca3dfe.
+ * Made from templates/kernel.h.j2; inputs a5f1bfe1e271a2a23817d4d3e1baad5ce229a52322b8518b97c33b17e34e963c.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

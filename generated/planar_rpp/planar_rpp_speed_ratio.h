@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 99f9a15b06f86e4ceb8b5049f7053638c3dec9981cc8693c6be9144d5289c042.
+ * Made from templates/kernel.h.j2; inputs 81ba676c0e8b7862c8e9d69ccd06011fb063b986f92450e518a1eb1c4864c38d.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

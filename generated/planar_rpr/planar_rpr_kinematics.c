@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 1764403186df7b806c65a0bea6da55b0915c253508d8b766fd7acc5d3e0ee845.
+ * Made from templates/kernel.c.j2; inputs fcfbd5c55d388628412ef0370525b32a1a6733241792c4685b748cfd4c204045.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "1764403186df7b806c65a0bea6da55b0915c253508d8b766fd7acc5d3e0ee845";
+const char planar_rpr_kinematics_digest[] = "fcfbd5c55d388628412ef0370525b32a1a6733241792c4685b748cfd4c204045";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 1764403186df7b806c65a0bea6da55b0915c253508d8b766fd7acc5d3e0ee845.
+ * Made from templates/kernel.h.j2; inputs fcfbd5c55d388628412ef0370525b32a1a6733241792c4685b748cfd4c204045.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

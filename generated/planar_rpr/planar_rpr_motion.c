@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 0b7d43803b57ec7363f15be20fb4c1c3d4efc74d9e1fa8f9d9bce8ac04f883d7.
+ * Made from templates/kernel.c.j2; inputs 9ddca291a8dfa4393bcf65eb711d24bce119bcfc6a0d3df6bbf433a977dd2f62.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "0b7d43803b57ec7363f15be20fb4c1c3d4efc74d9e1fa8f9d9bce8ac04f883d7";
+const char planar_rpr_motion_digest[] = "9ddca291a8dfa4393bcf65eb711d24bce119bcfc6a0d3df6bbf433a977dd2f62";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0b7d43803b57ec7363f15be20fb4c1c3d4efc74d9e1fa8f9d9bce8ac04f883d7.
+Made from templates/kernel.py.j2; inputs 9ddca291a8dfa4393bcf65eb711d24bce119bcfc6a0d3df6bbf433a977dd2f62.
 307 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 6b35e42354af8f2bd9e66534a147b07102df161bf82470f259dd6bbfbc95f65a.
+ * Made from templates/kernel.h.j2; inputs 0151a2e1793d4f6b32254afa9c4bd1a855717565391bb1bbb1a6d8c8e74ab47f.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

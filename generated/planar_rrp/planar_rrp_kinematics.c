@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 3d7816bb28cd54feb75345620f1e3d51a38c15286bd0cd62870daf36371dba58.
+ * Made from templates/kernel.c.j2; inputs ddd4e8a1d18eaec14f72f69cdb84565fab241d0e2c0f9f5efbca3aef1c65b568.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "3d7816bb28cd54feb75345620f1e3d51a38c15286bd0cd62870daf36371dba58";
+const char planar_rrp_kinematics_digest[] = "ddd4e8a1d18eaec14f72f69cdb84565fab241d0e2c0f9f5efbca3aef1c65b568";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 68c5ef14821f8421ffd0f03ce5ff9512d4c6600f8f0ed860ef7174422cec4172.
+ * Made from templates/kernel.c.j2; inputs c45761ae1ca38eafcf81afeeb15c1df759ac956496dc7744357e727ecd8c1253.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "68c5ef14821f8421ffd0f03ce5ff9512d4c6600f8f0ed860ef7174422cec4172";
+const char planar_rrp_motion_digest[] = "c45761ae1ca38eafcf81afeeb15c1df759ac956496dc7744357e727ecd8c1253";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 68c5ef14821f8421ffd0f03ce5ff9512d4c6600f8f0ed860ef7174422cec4172.
+Made from templates/kernel.py.j2; inputs c45761ae1ca38eafcf81afeeb15c1df759ac956496dc7744357e727ecd8c1253.
 305 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

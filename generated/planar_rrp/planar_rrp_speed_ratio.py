@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f9bf62a01ae81cd9a08cde923dfb1e4579ed1fb08d0807ed2ba2c687245bb089.
+Made from templates/kernel.py.j2; inputs 4ab6dc79790feaa2ac734f0bd753993d5206883f797f7e7d72ceeebec62ae561.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

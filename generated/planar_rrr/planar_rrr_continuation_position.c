@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.c: continuation position of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 735762d4ba0742b4217189164d6da2fe188bac591655cbbf9bbb91e8926a2819.
+ * Made from templates/kernel.c.j2; inputs 08838b7a7422e1807486ee2ebff973ecbbced23c292fd6c78ac827d9d29cbd2a.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_position_digest[] = "735762d4ba0742b4217189164d6da2fe188bac591655cbbf9bbb91e8926a2819";
+const char planar_rrr_continuation_position_digest[] = "08838b7a7422e1807486ee2ebff973ecbbced23c292fd6c78ac827d9d29cbd2a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.h: continuation position of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 735762d4ba0742b4217189164d6da2fe188bac591655cbbf9bbb91e8926a2819.
+ * Made from templates/kernel.h.j2; inputs 08838b7a7422e1807486ee2ebff973ecbbced23c292fd6c78ac827d9d29cbd2a.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation x alpha of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 735762d4ba0742b4217189164d6da2fe188bac591655cbbf9bbb91e8926a2819.
+Made from templates/kernel.py.j2; inputs 08838b7a7422e1807486ee2ebff973ecbbced23c292fd6c78ac827d9d29cbd2a.
 102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

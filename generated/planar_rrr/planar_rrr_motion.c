@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs a9466eefeb8519034ca2b80bd52ee860a2ff6d4ca1815cae3df8f5ca366e911d.
+ * Made from templates/kernel.c.j2; inputs 741b863c8d0ebbb801a9f009b525b1efdd5bb158a6ed4fa67434bb5f93ddb8a6.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "a9466eefeb8519034ca2b80bd52ee860a2ff6d4ca1815cae3df8f5ca366e911d";
+const char planar_rrr_motion_digest[] = "741b863c8d0ebbb801a9f009b525b1efdd5bb158a6ed4fa67434bb5f93ddb8a6";
 #endif
 
 #define LANES 64

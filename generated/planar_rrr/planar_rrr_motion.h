@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs a9466eefeb8519034ca2b80bd52ee860a2ff6d4ca1815cae3df8f5ca366e911d.
+ * Made from templates/kernel.h.j2; inputs 741b863c8d0ebbb801a9f009b525b1efdd5bb158a6ed4fa67434bb5f93ddb8a6.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a9466eefeb8519034ca2b80bd52ee860a2ff6d4ca1815cae3df8f5ca366e911d.
+Made from templates/kernel.py.j2; inputs 741b863c8d0ebbb801a9f009b525b1efdd5bb158a6ed4fa67434bb5f93ddb8a6.
 282 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_pose.c: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs e8e0455f74f7516de1a8b7f3e1aaefb3b1507009a7cbb1cfabe0b82f76c6adf0.
+ * Made from templates/kernel.c.j2; inputs 0c4826675976fd6c4abcb7ba795bd24e3b630ed21cf17feae5f5ed590b6470da.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_pose_digest[] = "e8e0455f74f7516de1a8b7f3e1aaefb3b1507009a7cbb1cfabe0b82f76c6adf0";
+const char planar_rrr_pose_digest[] = "0c4826675976fd6c4abcb7ba795bd24e3b630ed21cf17feae5f5ed590b6470da";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """self motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5015fb0344a3755a715d0f9e9b58784578c7bfb382b38cd91385f8fe89a625e4.
+Made from templates/kernel.py.j2; inputs bbce1d6a2f2e7bbc097b946a812062d9ecd29e28da8d13258fc62a6154920d21.
 1575 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

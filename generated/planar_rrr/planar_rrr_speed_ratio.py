@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dd1f5b55d06beda9812f57b33143dbfe1cca6845670d595a793c895a437b16e7.
+Made from templates/kernel.py.j2; inputs f6cf03e93bee8294964c5047d7b13750db7ab5e407ecd18d6603456a2ef06284.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

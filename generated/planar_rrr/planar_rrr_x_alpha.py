@@ -1,6 +1,6 @@
 """manipulability (x_alpha) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e8e0455f74f7516de1a8b7f3e1aaefb3b1507009a7cbb1cfabe0b82f76c6adf0.
+Made from templates/kernel.py.j2; inputs 0c4826675976fd6c4abcb7ba795bd24e3b630ed21cf17feae5f5ed590b6470da.
 311 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d1d3def262b48949fe64073a01be9715208c96647b72be0ff2af0547ccac4ae1.
+Made from templates/kernel.py.j2; inputs ad9613c9e0e85ea56c574c4233e7c5e684d7b0aea81f601e2a2f9994410c9596.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2863a0b5df451f0695380c41f5cb062cca294dec834ca20133297e0c6f2398d8.
+Made from templates/kernel.py.j2; inputs 6fd787773fe85ae82e6083d83e061d63848abba6a305594afbc984483bac1e6d.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

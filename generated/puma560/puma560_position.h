@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs 2863a0b5df451f0695380c41f5cb062cca294dec834ca20133297e0c6f2398d8.
+ * Made from templates/kernel.h.j2; inputs 6fd787773fe85ae82e6083d83e061d63848abba6a305594afbc984483bac1e6d.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

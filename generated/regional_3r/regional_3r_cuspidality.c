@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 1cb340f03638b25826ee2b9203b5afeb3c376e72a200ba59394c0a0eda4badc2.
+ * Made from templates/kernel.c.j2; inputs f7303af2947fb97bbef832a070f5a5aa07eee5f3a31148036d7dd8c0afb95fd2.
  * 4089 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "1cb340f03638b25826ee2b9203b5afeb3c376e72a200ba59394c0a0eda4badc2";
+const char regional_3r_cuspidality_digest[] = "f7303af2947fb97bbef832a070f5a5aa07eee5f3a31148036d7dd8c0afb95fd2";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1cb340f03638b25826ee2b9203b5afeb3c376e72a200ba59394c0a0eda4badc2.
+Made from templates/kernel.py.j2; inputs f7303af2947fb97bbef832a070f5a5aa07eee5f3a31148036d7dd8c0afb95fd2.
 4089 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

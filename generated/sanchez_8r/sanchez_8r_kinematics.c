@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 4ee0216e8e028c9112c74a78f92cf5414b23ec375b011e4e3cf78ce78900d3d8.
+ * Made from templates/kernel.c.j2; inputs 9be0002861b3200349ac5eaa17d13cb9491d2be69534e5161c6b0d460f51a592.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "4ee0216e8e028c9112c74a78f92cf5414b23ec375b011e4e3cf78ce78900d3d8";
+const char sanchez_8r_kinematics_digest[] = "9be0002861b3200349ac5eaa17d13cb9491d2be69534e5161c6b0d460f51a592";
 #endif
 
 #define LANES 32

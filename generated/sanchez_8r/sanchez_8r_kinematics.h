@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 4ee0216e8e028c9112c74a78f92cf5414b23ec375b011e4e3cf78ce78900d3d8.
+ * Made from templates/kernel.h.j2; inputs 9be0002861b3200349ac5eaa17d13cb9491d2be69534e5161c6b0d460f51a592.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

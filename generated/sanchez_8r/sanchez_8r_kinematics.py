@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4ee0216e8e028c9112c74a78f92cf5414b23ec375b011e4e3cf78ce78900d3d8.
+Made from templates/kernel.py.j2; inputs 9be0002861b3200349ac5eaa17d13cb9491d2be69534e5161c6b0d460f51a592.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

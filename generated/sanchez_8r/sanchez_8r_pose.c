@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 32fafb7378d522fa3a19ba6deee70293d499340dd209ecac50b9b2119b8fe51e.
+ * Made from templates/kernel.c.j2; inputs 3ee5338344b25e999485b5e141d0c2f970cb4a9f0e3bb65f5a7c12bd965c85ae.
  * 3779 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "32fafb7378d522fa3a19ba6deee70293d499340dd209ecac50b9b2119b8fe51e";
+const char sanchez_8r_pose_digest[] = "3ee5338344b25e999485b5e141d0c2f970cb4a9f0e3bb65f5a7c12bd965c85ae";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 32fafb7378d522fa3a19ba6deee70293d499340dd209ecac50b9b2119b8fe51e.
+Made from templates/kernel.py.j2; inputs 3ee5338344b25e999485b5e141d0c2f970cb4a9f0e3bb65f5a7c12bd965c85ae.
 3779 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

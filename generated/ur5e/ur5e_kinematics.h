@@ -1,5 +1,5 @@
 /* ur5e_kinematics.h: kinematics of ur5e.
- * Made from templates/kernel.h.j2; inputs 50f30b6579d6834e446a06e62c90e563ab572a280949fc1d27e4e7f0b6b44e63.
+ * Made from templates/kernel.h.j2; inputs 685f8d4c9c41a560f6c6d793ed42eed5ef10082a5078c2b9f30c72d095d1491e.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

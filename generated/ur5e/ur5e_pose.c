@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 5ec3152a654f9be7641875a90f5acf7269cc0bee68a2b5df6f94c224aac00041.
+ * Made from templates/kernel.c.j2; inputs f67c7c9310fac3f73c50764d66435a3d212785ac1b20ba84034d6a25558af583.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "5ec3152a654f9be7641875a90f5acf7269cc0bee68a2b5df6f94c224aac00041";
+const char ur5e_pose_digest[] = "f67c7c9310fac3f73c50764d66435a3d212785ac1b20ba84034d6a25558af583";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5ec3152a654f9be7641875a90f5acf7269cc0bee68a2b5df6f94c224aac00041.
+Made from templates/kernel.py.j2; inputs f67c7c9310fac3f73c50764d66435a3d212785ac1b20ba84034d6a25558af583.
 1082 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

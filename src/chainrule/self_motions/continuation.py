@@ -583,14 +583,18 @@ def _joined(first: Trace, last: Trace) -> Trace:
     """Two traces, the last from where the first ends."""
     offset = first.s[-1] if len(first.s) else 0.0
 
-    def both(name: str) -> Array:
-        return np.concatenate([getattr(first, name), getattr(last, name)[1:]])
+    def both(a: Array, b: Array) -> Array:
+        return np.concatenate([a, b[1:]])
 
     low, high = np.minimum(first.box, last.box), np.maximum(first.box, last.box)
     return replace(
         last,
-        **{name: both(name) for name in ("q", "tangent", "bend", "h", "slope")},
-        s=np.concatenate([first.s, last.s[1:] + offset]),
+        q=both(first.q, last.q),
+        tangent=both(first.tangent, last.tangent),
+        bend=both(first.bend, last.bend),
+        s=both(first.s, last.s + offset),
+        h=both(first.h, last.h),
+        slope=both(first.slope, last.slope),
         knots=np.concatenate([first.knots, last.knots + np.array([0.0, offset, 0.0])]),
         box=np.stack([low[:, 0], high[:, 1]], axis=1),
         span=(min(first.span[0], last.span[0]), max(first.span[1], last.span[1])),

@@ -51,6 +51,7 @@ NEWTON = 12  # most corrections
 SETTLED = 1e-9  # the last correction, rad
 LEFT = 1e-16  # |J^+| size^2 of the last correction of a point whose tangent is taken anew: an error of rounding
 POWERS = 3  # of the matrix whose largest eigenvalue is bounded
+LEVEL = 1e-12  # a slope below this (of H: this share of H) is rounding: nothing moves
 PARTS = 8  # of an interval between output points in which a slope is looked at for a change of sign
 LEAST_TURN, MOST_TURN = 0.02, 0.7  # of the tangent between two ends of a length rule
 BALLS = 6.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
@@ -502,6 +503,8 @@ class Follower:
         found = []
         for i in range(len(a.x) + 1):
             slopes = [slope_at(a, b, i, k / PARTS) for k in range(PARTS + 1)]
+            if max(map(abs, slopes)) <= LEVEL * (1.0 if i < len(a.x) else a.h):
+                continue
             for k in range(PARTS):
                 if (slopes[k] > 0.0) != (slopes[k + 1] > 0.0):
                     place = self.extremum(a, b, i, k / PARTS, (k + 1) / PARTS, slopes[k], slopes[k + 1])
