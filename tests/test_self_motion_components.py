@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 import pytest
+from arms_under_test import crooked_rrpr
 
 import chainrule as cr
 from chainrule.self_motions.components import searched
@@ -23,13 +24,12 @@ def arm_of(rows: list[tuple[float, float, float]], name: str) -> cr.Arm:
     return cr.Arm.from_dh([("R", alpha, a, d, 0.0) for alpha, a, d in rows], name=name)
 
 
-#: A spherical wrist on a general arm, one on an arm with parallel axes, one with skew axes, and none at all.
+#: A spherical wrist on a general arm, one on an arm with parallel axes, and one with skew axes.
 WRISTED = [(0.0, 0.0, 0.3), (-1.2, 0.1, 0.05), (0.9, 0.25, 0.1), (1.3, 0.2, 0.15), (-QUARTER, 0.08, 0.4)]
 GENERAL = arm_of([*WRISTED, (QUARTER, 0.0, 0.0), (-QUARTER, 0.0, 0.1)], "general_wrist")
 ELBOWED = [(0.0, 0.0, 0.3), (-QUARTER, 0.1, 0.05), (0.0, 0.35, 0.1), (QUARTER, 0.2, 0.15), (-QUARTER, 0.0, 0.4)]
 PARALLEL = arm_of([*ELBOWED, (QUARTER, 0.0, 0.0), (-QUARTER, 0.0, 0.1)], "parallel_wrist")
 SKEW = arm_of([*WRISTED, (1.0, 0.0, 0.0), (-1.2, 0.0, 0.1)], "skew_wrist")
-NONE = arm_of([*WRISTED, (1.0, 0.05, 0.0), (-1.2, 0.0, 0.1)], "no_wrist")
 
 
 def poses(arm: cr.Arm, count: int, seed: int) -> np.ndarray:
@@ -200,13 +200,31 @@ def test_postures_of_a_swept_joint_are_all_solutions(arm: cr.Arm) -> None:
     assert apart.max() < 1e-6
 
 
-def test_a_general_7r_arm_is_searched_and_says_so() -> None:
-    (pose,) = poses(NONE, 1, 10)
-    found = cr.self_motion(NONE, pose, starts=40)
+def test_an_arm_without_spherical_joints_is_searched_and_says_so() -> None:
+    arm = crooked_rrpr()
+    target = arm.position([0.4, -0.9, 0.15, 1.1])
+    found = cr.self_motion(arm, target, "position", starts=40, scale=0.4)
     assert found.method == "continuation"
-    assert found.complete.startswith("40 starts and 42 extremal points of joints, last new component at ")
-    more = cr.self_motion(NONE, pose, starts=120, seed=5)
+    assert found.complete.startswith("40 starts and 40 extremal points of joints, last new component at ")
+    more = cr.self_motion(arm, target, "position", starts=120, seed=5, scale=0.4)
     np.testing.assert_allclose(lengths(found.components), lengths(more.components), rtol=1e-8)
+
+
+def test_extremal_points_are_the_ends_of_the_boxes() -> None:
+    """Of planar 3R arms the extremal values of each joint are known in closed form."""
+    rng = np.random.default_rng(17)
+    for _ in range(5):
+        arm = cr.planar_3r(*rng.uniform(0.2, 1.0, 3))
+        target = arm.position(rng.uniform(-2.0, 2.0, 3))
+        known = cr.self_motion(arm, target)
+        joints = np.repeat([1, 2, 3], 60)
+        q, arrived = project(arm, start_points(arm, 180, 1), target, extremal=joints)
+        np.testing.assert_allclose(arm.position(q[arrived]), np.tile(target, (arrived.sum(), 1)), atol=1e-12)
+        for joint in (1, 2, 3):
+            met = q[arrived & (joints == joint), joint - 1]
+            ends = np.concatenate([c.box[joint - 1] for c in known.components if not c.winding[joint - 1]] or [[]])
+            for end in ends:  # extrema inside a box may be met too
+                assert np.abs(np.exp(1j * met) - np.exp(1j * end)).min() < 1e-8
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import warnings
 
 import numpy as np
 import pytest
+from arms_under_test import crooked_rrpr
 from scipy.integrate import solve_ivp
 
 import chainrule as cr
@@ -28,20 +29,7 @@ KINDS: dict[str, tuple[cr.Arm, str, float]] = {
     "RRR x_alpha": (cr.planar_3r(*LENARCIC), "x_alpha", 1.0),
     "RPR": (cr.planar("RPR", [0.4, 0.2, 0.5], [0.0, 0.7, 0.0]), "position", 0.25),
     "RRPR pose": (cr.planar("RRPR", [0.5, 0.45, 0.1, 0.2], [0.0, 0.0, 0.4, 0.0]), "pose", 0.3),
-    "RRPR in space": (
-        cr.Arm.from_dh(
-            [
-                ("R", 0.0, 0.0, 0.3, 0.0),
-                ("R", -1.3, 0.1, 0.0, 0.2),
-                ("P", 0.9, 0.2, 0.3, 0.0),
-                ("R", 1.2, 0.1, 0.0, 0.0),
-            ],
-            tool=cr.description.Transform.shift(0.3, 0.1, 0.0),
-            name="crooked_rrpr",
-        ),
-        "position",
-        0.4,
-    ),
+    "RRPR in space": (crooked_rrpr(), "position", 0.4),
     "panda": (cr.load("panda"), "pose", 1.0),
     "iiwa14": (cr.load("iiwa14"), "pose", 1.0),
 }

@@ -677,6 +677,7 @@ def project(
         going[index] = np.linalg.norm(step / held.unit, axis=1) > ARRIVED
     error = np.abs(held.evaluate(found, aim)[0]).max(axis=1) if len(found) else np.zeros(0)
     near = ~going & (error < 1e-9 * max(held.size, 1.0))
+    near |= error < 1e-14 * max(held.size, 1.0)  # at a singular posture steps go on after the error has vanished
     if joints is not None and len(found):
         near &= np.abs(_slope(held, found, joints)) < 1e-6
     if spatial and len(found):  # the skew part vanishes at half a turn too
