@@ -37,6 +37,7 @@ CONTINUATION = {
     "contraction": 0.9,
     "slab": 0.89,
     "advance": 0.85,
+    "both": 0.82,
     "longest_step": 0.5,
     "step_turn": 0.5,
     "nodes": 48,
@@ -51,7 +52,7 @@ CONTINUATION = {
     "least_turn": 0.02,
     "most_turn": 0.7,
     "finest": 1e-11,
-    "balls": 6,
+    "balls": 5,
 }
 
 

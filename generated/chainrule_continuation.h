@@ -9,10 +9,12 @@
  *    and |T(x) - x0|^2 <= s^2 + (c r / 2)^2. So for every |s| <= r sqrt(1 - c^2 / 4) the ball holds exactly one point of
  *    the curve with t.(x - x0) = s: within that slab of the ball the solutions are one arc, through x0. A step to a
  *    solution in it cannot have changed curves.
- * 2. Step. Predict by the polynomial through up to 4 points and tangents, no farther than the slab; correct by
- *    Newton's method, x -= J^+ e; halve the step where that does not contract.
- * 3. Closure. Where the start, revolute joints shifted by whole turns, lies ahead within the slab, the arc leads to it.
- * 4. Length. As often as the tangent has turned a little (or 6 radii were passed), the length since then is the integral of 1 / (t.d) over the
+ * 2. Step. Predict by the polynomial through up to 4 points and tangents; correct by Newton's method,
+ *    x -= J^+ e; halve the step where that does not contract. A point in the slab of the last ball is on its arc; so is one
+ *    beyond whose own ball holds the end of that arc in its slab: then both arcs are one.
+ * 3. Closure. Where the start, revolute joints shifted by whole turns, lies ahead within the slab, or behind the new point
+ *    within the slab of its ball, the arc leads to it.
+ * 4. Length. As often as the tangent has turned a little (or 5 radii were passed), the length since then is the integral of 1 / (t.d) over the
  *    distance along the chord's direction d, by Lobatto's rule with 7 points, each corrected on the curve. Its last
  *    Legendre coefficients, and how fast they fall, estimate the error and set the next turn.
  * 5. Extrema of each joint and of H between points: the roots of the tangent's component and of dH/ds. */
@@ -464,6 +466,29 @@ static int cr_singular(const chainrule_curve *c, const cr_found *f)
     return !(sqrt(squares) * f->bound * c->settings.singular < 1.0);
 }
 
+/* Whether the arcs of two nodes' balls meet: the arc of the first has one point at the distance `ahead` along its tangent,
+ * in a disc of the radius c / 2r (ahead^2 + (c r / 2)^2), which has to lie in the slab of the second ball, behind its
+ * centre. `*reached`: how far from a centre that is, of a ball's radius. */
+static int cr_joined(const cr_node *a, const cr_node *b, double ahead, double *reached)
+{
+    const double half = 0.5 * 0.9 * a->radius;
+    const double disc = 0.5 * 0.9 / a->radius * (ahead * ahead + half * half);
+    double gap[CR_N], squares = 0.0, along = 0.0, across = 0.0, cosine = 0.0;
+    for (int i = 0; i < CR_N; ++i) {
+        gap[i] = a->x[i] + ahead * a->t[i] - b->x[i];
+        squares += gap[i] * gap[i];
+        along += gap[i] * b->t[i];
+        across += gap[i] * a->t[i];
+        cosine += a->t[i] * b->t[i];
+    }
+    const double sideways = sqrt(cr_most(squares - across * across, 0.0));
+    const double far = sqrt(squares + 2.0 * sideways * disc + disc * disc);
+    const double tilt = disc * sqrt(cr_most(1.0 - cosine * cosine, 0.0));
+    *reached = cr_most(sqrt(ahead * ahead + disc * disc) / a->radius, far / b->radius);
+    return ahead <= 0.89 * a->radius && far <= b->radius && along + tilt < 0.0
+           && along - tilt >= -0.89 * b->radius;
+}
+
 /* The Hermite polynomial through nodes at `places` (one for each) and their tangents times `scales`, at another place. */
 static void cr_hermite_through(const cr_node *nodes, const double *places, const double *scales, int count, double at,
                                double *guess)
@@ -575,7 +600,8 @@ static int cr_rule(chainrule_curve *c, const cr_node *nodes, int end, int always
             from = from + used > end + 1 ? end + 1 - used : from;
             cr_hermite_through(nodes + from, along + from, scales + from, used, place, guess);
         }
-        if (!cr_correct(c, guess, d, offset + place, 1, &f) || cr_distance(f.x, nodes[j].x) > nodes[j].radius) {
+        if (!cr_correct(c, guess, d, offset + place, 1, &f)
+            || (cr_distance(f.x, nodes[j].x) > nodes[j].radius && cr_distance(f.x, nodes[j + 1].x) > nodes[j + 1].radius)) {
             if (!always) {
                 return 0;
             }
@@ -628,7 +654,7 @@ static int cr_halved(chainrule_curve *c, const cr_node *a, const cr_node *b, cr_
     }
     cr_copy(middle->x, f.x);
     cr_copy(middle->t, f.t);
-    middle->radius = a->radius - cr_distance(f.x, a->x);
+    middle->radius = cr_most(a->radius - cr_distance(f.x, a->x), b->radius - cr_distance(f.x, b->x));
     middle->s = 0.5 * (a->s + b->s);
     return 1;
 }
@@ -825,6 +851,41 @@ static int cr_extrema(chainrule_curve *c, double *box)
     return 1;
 }
 
+/* The start, shifted by whole turns to where it is nearest to a node; how far ahead of that along its tangent, and how far
+ * away. */
+static void cr_image(const chainrule_curve *c, const cr_node *origin, const cr_node *near, double *image, double *along,
+                     double *distance)
+{
+    *along = *distance = 0.0;
+    for (int i = 0; i < CR_N; ++i) {
+        const double apart = near->x[i] - origin->x[i];
+        image[i] = origin->x[i] + (c->kinds[i] == 'R' ? CR_TURNS * floor(apart / CR_TURNS + 0.5) : 0.0);
+        *along += near->t[i] * (image[i] - near->x[i]);
+        *distance += (image[i] - near->x[i]) * (image[i] - near->x[i]);
+    }
+    *distance = sqrt(*distance);
+}
+
+/* The last node, which is the start, shifted by whole turns: `image`; the arc that leads to it ends in the plane through it. */
+static void cr_close(chainrule_curve *c, const cr_node *origin, const cr_node *here, const double *image,
+                     const cr_node *history, int remembered, cr_node *last)
+{
+    const double along = cr_dot(here->t, image) - cr_dot(here->t, here->x);
+    double guess[CR_N];
+    cr_found f;
+    cr_predict(history, remembered, along, guess);
+    if (cr_correct(c, guess, origin->t, cr_dot(origin->t, image), 0, &f)) {
+        cr_copy(guess, f.x);
+    }
+    c->result.closure = 0.0;
+    for (int i = 0; i < CR_N; ++i) {
+        c->result.closure = cr_most(c->result.closure, fabs(guess[i] - image[i]));
+    }
+    *last = *origin;
+    last->s = here->s + along;
+    cr_copy(last->x, image);
+}
+
 /* Follow one curve from `start`; box (joints, 2). What there is to say is in curve->result. */
 static void chainrule_follow(chainrule_curve *c, const double *start, double *box)
 {
@@ -866,28 +927,16 @@ static void chainrule_follow(chainrule_curve *c, const double *start, double *bo
     cr_row(c, origin.x, c->points);
     c->result.points = 1;
     double step = 0.85 * origin.radius, smallest = origin.radius;
+    double last_radius = origin.radius;
     while (reason < 0) {
         const cr_node *here = nodes + count - 1;
         const double *row = c->points + (c->result.points - 1) * CR_WIDTH;
-        double along = 0.0, distance = 0.0;
-        for (int i = 0; i < CR_N; ++i) { /* the start, shifted by whole turns to where it is nearest */
-            const double apart = here->x[i] - origin.x[i];
-            ahead[i] = origin.x[i] + (c->kinds[i] == 'R' ? CR_TURNS * floor(apart / CR_TURNS + 0.5) : 0.0);
-            along += here->t[i] * (ahead[i] - here->x[i]);
-            distance += (ahead[i] - here->x[i]) * (ahead[i] - here->x[i]);
-        }
-        if (along > 0.0 && along <= 0.89 * here->radius && sqrt(distance) <= here->radius) {
-            cr_predict(history, remembered, along, guess);
-            if (cr_correct(c, guess, origin.t, cr_dot(origin.t, ahead), 0, &f)) {
-                cr_copy(guess, f.x);
-            }
-            c->result.closure = 0.0;
-            for (int i = 0; i < CR_N; ++i) {
-                c->result.closure = cr_most(c->result.closure, fabs(guess[i] - ahead[i]));
-            }
-            nodes[count] = *here;
-            cr_copy(nodes[count].x, ahead);
-            cr_copy(nodes[count].t, origin.t);
+        double along, distance;
+        cr_image(c, &origin, here, ahead, &along, &distance);
+        int closing = along > 0.0 && along <= 0.89 * here->radius && distance <= here->radius, found = 0;
+        cr_node *next = nodes + count;
+        if (closing) {
+            cr_close(c, &origin, here, ahead, history, remembered, next);
             count += 1;
             reason = CHAINRULE_CLOSED;
             break;
@@ -900,21 +949,38 @@ static void chainrule_follow(chainrule_curve *c, const double *start, double *bo
             reason = CHAINRULE_STEPS;
             break;
         }
-        step = cr_least(cr_least(step, 0.85 * here->radius), 0.5);
+        /* one ball's length, or two where the next one is about as large */
+        const double larger = here->radius < last_radius ? here->radius * here->radius / last_radius : here->radius;
+        step = cr_least(cr_least(step, 0.82 * (here->radius + larger)), 0.5);
         if (remembered > 1) {
             const cr_node *one = history + remembered - 2, *two = one + 1;
             const double bend = cr_distance(one->t, two->t) / (two->s - one->s);
             step = bend > 0.0 ? cr_least(step, 0.5 / bend) : step;
         }
-        int found = 0;
-        for (; step > 1e-3 * here->radius; step *= 0.5) {
+        double reached = 0.0;
+        for (; step > 1e-3 * here->radius; step = cr_least(0.5 * step, 0.85 * here->radius)) {
             cr_predict(history, remembered, step, guess);
             if (!cr_correct(c, guess, NULL, 0.0, 0, &f)) {
                 continue;
             }
             distance = cr_distance(f.x, here->x);
             along = cr_dot(here->t, f.x) - cr_dot(here->t, here->x);
-            if (along > 0.0 && along <= 0.89 * here->radius && distance <= here->radius) {
+            if (!(along > 0.0)) {
+                continue;
+            }
+            cr_copy(next->x, f.x);
+            cr_copy(next->t, f.t);
+            next->radius = cr_radius(c, &f, here->radius);
+            if (along <= 0.89 * here->radius && distance <= here->radius) {
+                reached = distance / here->radius;
+                found = 1;
+                break;
+            }
+            if (cr_joined(here, next, along * here->radius / (here->radius + next->radius), &reached)) {
+                double behind, apart;
+                cr_image(c, &origin, next, ahead, &behind, &apart);
+                closing = behind <= 0.0 && behind >= -0.89 * next->radius && apart <= next->radius
+                          && cr_dot(here->t, ahead) - cr_dot(here->t, here->x) > 0.0;
                 found = 1;
                 break;
             }
@@ -924,14 +990,17 @@ static void chainrule_follow(chainrule_curve *c, const double *start, double *bo
             break;
         }
         c->result.steps += 1;
-        c->result.contraction = cr_most(c->result.contraction, 0.9 * distance / here->radius);
-        cr_node *next = nodes + count;
+        c->result.contraction = cr_most(c->result.contraction, 0.9 * reached);
+        if (closing) { /* the start lies on the way */
+            cr_close(c, &origin, here, ahead, history, remembered, next);
+            count += 1;
+            reason = CHAINRULE_CLOSED;
+            break;
+        }
         const double turned = cr_distance(f.t, here->t);
-        cr_copy(next->x, f.x);
-        cr_copy(next->t, f.t);
-        next->radius = cr_radius(c, &f, here->radius);
         smallest = cr_least(count == 1 ? here->radius : smallest, next->radius);
         next->s = here->s + distance * (1.0 + turned * turned / 24.0);
+        last_radius = here->radius;
         count += 1;
         if (remembered == 4) {
             memmove(history, history + 1, sizeof(cr_node) * (4 - 1));
@@ -943,7 +1012,7 @@ static void chainrule_follow(chainrule_curve *c, const double *start, double *bo
         if (cr_singular(c, &f)) {
             reason = CHAINRULE_SINGULAR;
         } else if (count >= CR_NODES || cr_distance(f.t, nodes[0].t) >= c->turn
-                   || cr_distance(f.x, nodes[0].x) >= 6 * smallest) {
+                   || cr_distance(f.x, nodes[0].x) >= 5 * smallest) {
             if (!cr_measure(c, nodes, &count)) {
                 reason = CHAINRULE_ROOM;
             }

@@ -9,6 +9,7 @@ import pytest
 from arms_under_test import crooked_rrpr
 
 import chainrule as cr
+from chainrule.cuspidality.normal_form import evaluator
 from chainrule.self_motions.components import searched
 from chainrule.self_motions.continuation import Held, project, start_points, target_of, trace_many
 from chainrule.self_motions.identity import Known
@@ -125,6 +126,41 @@ def test_the_iiwa_has_eight_loops_of_one_length_labelled_by_signs() -> None:
         assert len(labels) == 8
         for curve in found.components:  # the elbow's angle does not change
             assert np.ptp(curve.q[:, 3]) < 1e-9
+
+
+def test_flips_of_shoulder_elbow_and_wrist_map_the_loops_onto_one_another() -> None:
+    """(a + pi, -b, c + pi) of three axes in a row: the same pose, and onto another listed loop of the same length."""
+    for arm, firsts in ((IIWA, (0, 2, 4)), (PANDA, (0,))):
+        (pose,) = poses(arm, 1, 9)
+        motion = cr.self_motion(arm, pose)
+        table = known(arm, motion)
+        for first in firsts:
+            partners = []
+            for k, curve in enumerate(motion.components):
+                q = curve.at(np.linspace(0.0, 1.0, 20))
+                q[:, [first, first + 2]] += math.pi
+                q[:, first + 1] *= -1.0
+                np.testing.assert_allclose(arm.pose(q), np.broadcast_to(pose, (20, 4, 4)), atol=1e-12)
+                (other,) = set(table.which(q).tolist())
+                assert other not in (-1, k)
+                assert motion.components[other].length == pytest.approx(curve.length, rel=1e-12)
+                assert motion.components[other].residual < 1e-12
+                partners.append(other)
+            assert sorted(partners) == list(range(motion.count))
+
+
+def test_elbow_angles_are_where_two_points_are_at_the_distance() -> None:
+    rng = np.random.default_rng(18)
+    for _ in range(30):
+        before, behind = rng.normal(size=(2, 3))
+        angle = rng.uniform(-math.pi, math.pi)
+        square = float(((turn(angle) @ behind - before) ** 2).sum())
+        found, share = evaluator("spherical_elbow")(before, behind, np.array([square]))
+        for each in found:
+            assert ((turn(each) @ behind - before) ** 2).sum() == pytest.approx(square, rel=1e-12)
+        assert abs(share[0]) <= 1.0
+        assert np.abs(np.exp(1j * found) - np.exp(1j * angle)).min() < 1e-7
+        assert abs(evaluator("spherical_elbow")(before, behind, np.array([square + 100.0]))[1][0]) > 1.0
 
 
 def test_swivel_postures_hold_the_pose_and_lie_on_the_loops_and_circles() -> None:

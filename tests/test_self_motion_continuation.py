@@ -258,7 +258,7 @@ def test_settings_are_the_same_in_both():
         "contraction": tracing.CONTRACTION, "slab": tracing.SLAB, "advance": tracing.ADVANCE, "nodes": tracing.NODES,
         "longest_step": tracing.LONGEST, "step_turn": tracing.TURN, "history": tracing.HISTORY,
         "newton": tracing.NEWTON, "settled": tracing.SETTLED, "left": tracing.LEFT, "powers": tracing.POWERS,
-        "parts": tracing.PARTS, "level": tracing.LEVEL,
+        "parts": tracing.PARTS, "level": tracing.LEVEL, "both": tracing.BOTH,
         "order": tracing.ORDER, "least_turn": tracing.LEAST_TURN, "most_turn": tracing.MOST_TURN,
         "finest": tracing.FINEST, "balls": tracing.BALLS,
     }  # fmt: skip
@@ -330,6 +330,42 @@ def test_within_the_slab_of_a_ball_there_is_one_arc():
                 assert not inside.any()
                 least = min(least, distance.min() / radius)
     assert 1.0 < least < 50.0  # the balls come near the other curve, and no nearer
+
+
+def test_two_balls_meet_on_one_curve_only():
+    """Beside a reconnection: arcs said to be one are neighbours on one curve, never on two."""
+    arm, target = cr.planar_3r(*LENARCIC), np.array([0.5 - 1e-4, 0.0])
+    one, other = planar_self_motion(arm, target).components
+    follower = tracing.Follower(Held(arm, "position").system(target), Settings())
+    s = np.linspace(0.0, 1.0, 400, endpoint=False)
+
+    def points(curve: Component) -> list[tracing.Point]:
+        made = []
+        for place in s:
+            x, t, bound, jacobian, _ = follower.correct(curve.at(place))
+            made.append(tracing.Point(x, t, follower.radius(x, jacobian, bound, 0.5)))
+        return made
+
+    mine, theirs = points(one), points(other)
+    met = longest = 0
+    for k, a in enumerate(mine):
+        for points_of, own in ((mine, True), (theirs, False)):
+            for j, b in enumerate(points_of):
+                turned = b.x + TURN * np.rint((a.x - b.x) / TURN)
+                if np.linalg.norm(turned - a.x) > 2.0 * (a.radius + b.radius) or (own and j == k):
+                    continue
+                there = dataclasses.replace(b, x=turned)
+                along = float(a.t @ (turned - a.x))
+                joined, _ = (
+                    tracing.meet(a, there, along * a.radius / (a.radius + b.radius)) if along > 0 else (False, 0)
+                )
+                if joined:
+                    assert own
+                    ahead = (s[j] - s[k]) % 1.0  # the curve runs along its tangents or against them
+                    apart = min(ahead, 1.0 - ahead) * one.length
+                    assert apart < 2.0 * (a.radius + b.radius)
+                    met, longest = met + 1, max(longest, apart / (a.radius + b.radius))
+    assert met > 400 and 0.8 < longest < 1.1
 
 
 def test_without_the_guard_the_same_steps_jump(monkeypatch):

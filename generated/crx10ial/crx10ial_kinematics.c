@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 82c43ad9a263f96983b0db4178dd604bc905b4370ad570479f503f9b64c52757.
+ * Made from templates/kernel.c.j2; inputs 803cc40bceea390c031000d10a443f8153910a04aa8ac80484237fbef16345f5.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "82c43ad9a263f96983b0db4178dd604bc905b4370ad570479f503f9b64c52757";
+const char crx10ial_kinematics_digest[] = "803cc40bceea390c031000d10a443f8153910a04aa8ac80484237fbef16345f5";
 #endif
 
 #define LANES 64

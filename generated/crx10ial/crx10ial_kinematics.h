@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 82c43ad9a263f96983b0db4178dd604bc905b4370ad570479f503f9b64c52757.
+ * Made from templates/kernel.h.j2; inputs 803cc40bceea390c031000d10a443f8153910a04aa8ac80484237fbef16345f5.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

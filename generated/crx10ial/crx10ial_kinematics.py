@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 82c43ad9a263f96983b0db4178dd604bc905b4370ad570479f503f9b64c52757.
+Made from templates/kernel.py.j2; inputs 803cc40bceea390c031000d10a443f8153910a04aa8ac80484237fbef16345f5.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* crx10ial_pose.c: manipulability (pose) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 99ceed77adcbdfe78f8883ca77696422f550c26e0d13569337753deedcd27b53.
+ * Made from templates/kernel.c.j2; inputs b44ed60ec0dfb8fd5e26ac7d927ec2d57b9fed43cd2179eba46263df295b9f59.
  * 319 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_pose_digest[] = "99ceed77adcbdfe78f8883ca77696422f550c26e0d13569337753deedcd27b53";
+const char crx10ial_pose_digest[] = "b44ed60ec0dfb8fd5e26ac7d927ec2d57b9fed43cd2179eba46263df295b9f59";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs 99ceed77adcbdfe78f8883ca77696422f550c26e0d13569337753deedcd27b53.
+ * Made from templates/kernel.h.j2; inputs b44ed60ec0dfb8fd5e26ac7d927ec2d57b9fed43cd2179eba46263df295b9f59.
  * 1276 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

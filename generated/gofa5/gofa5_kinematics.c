@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs af28a58302787be251d4257211b625d941a7998de4a57f2f63c0542e3900a5aa.
+ * Made from templates/kernel.c.j2; inputs 5b3871a18b8028949815647451abe49b239893a295745ed96be119ac0339750a.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "af28a58302787be251d4257211b625d941a7998de4a57f2f63c0542e3900a5aa";
+const char gofa5_kinematics_digest[] = "5b3871a18b8028949815647451abe49b239893a295745ed96be119ac0339750a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs af28a58302787be251d4257211b625d941a7998de4a57f2f63c0542e3900a5aa.
+ * Made from templates/kernel.h.j2; inputs 5b3871a18b8028949815647451abe49b239893a295745ed96be119ac0339750a.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs a9ff16a123bb921312085bfa6f61f014cac322f041bda42c34ee72cce6f2b083.
+ * Made from templates/kernel.c.j2; inputs 49137681f7b57bcd2db580dcc707520c3198081602814f45610f40f491fd7aae.
  * 1337 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "a9ff16a123bb921312085bfa6f61f014cac322f041bda42c34ee72cce6f2b083";
+const char gofa5_position_digest[] = "49137681f7b57bcd2db580dcc707520c3198081602814f45610f40f491fd7aae";
 #endif
 
 #define LANES 64

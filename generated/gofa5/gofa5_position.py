@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a9ff16a123bb921312085bfa6f61f014cac322f041bda42c34ee72cce6f2b083.
+Made from templates/kernel.py.j2; inputs 49137681f7b57bcd2db580dcc707520c3198081602814f45610f40f491fd7aae.
 1337 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs c4d811e13cf11eea4068036482ce0e2951ad4488bda52056a44b650cfde88b00.
+ * Made from templates/kernel.c.j2; inputs a19bea3c54316b02f1d26e1d0e54c36cef8b8af135eb19cefe4ad186e016ab87.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "c4d811e13cf11eea4068036482ce0e2951ad4488bda52056a44b650cfde88b00";
+const char iiwa14_continuation_pose_digest[] = "a19bea3c54316b02f1d26e1d0e54c36cef8b8af135eb19cefe4ad186e016ab87";
 #endif
 
 #define LANES 32

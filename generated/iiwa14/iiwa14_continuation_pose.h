@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs c4d811e13cf11eea4068036482ce0e2951ad4488bda52056a44b650cfde88b00.
+ * Made from templates/kernel.h.j2; inputs a19bea3c54316b02f1d26e1d0e54c36cef8b8af135eb19cefe4ad186e016ab87.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 2585e25d96ae9bfbf330e1add90a4ca2377e14b7f1e9aa4ac4367975fb9d6a93.
+ * Made from templates/kernel.c.j2; inputs 315660bdd385c8be8448aba08aa87e6709a603b94c1f565c695b5135cdf57092.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "2585e25d96ae9bfbf330e1add90a4ca2377e14b7f1e9aa4ac4367975fb9d6a93";
+const char iiwa14_kinematics_digest[] = "315660bdd385c8be8448aba08aa87e6709a603b94c1f565c695b5135cdf57092";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 2585e25d96ae9bfbf330e1add90a4ca2377e14b7f1e9aa4ac4367975fb9d6a93.
+ * Made from templates/kernel.h.j2; inputs 315660bdd385c8be8448aba08aa87e6709a603b94c1f565c695b5135cdf57092.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2585e25d96ae9bfbf330e1add90a4ca2377e14b7f1e9aa4ac4367975fb9d6a93.
+Made from templates/kernel.py.j2; inputs 315660bdd385c8be8448aba08aa87e6709a603b94c1f565c695b5135cdf57092.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

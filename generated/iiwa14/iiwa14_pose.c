@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 2a3a93d31feb9d3e6f75ee35452552d341bb23530275b7d38b46c56135dbaf28.
+ * Made from templates/kernel.c.j2; inputs c6db263e52e711de824a841e0cf7d4dac729e4067b9db13ba00a68cb33877c90.
  * 2462 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "2a3a93d31feb9d3e6f75ee35452552d341bb23530275b7d38b46c56135dbaf28";
+const char iiwa14_pose_digest[] = "c6db263e52e711de824a841e0cf7d4dac729e4067b9db13ba00a68cb33877c90";
 #endif
 
 #define LANES 64

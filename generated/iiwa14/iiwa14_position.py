@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2a3a93d31feb9d3e6f75ee35452552d341bb23530275b7d38b46c56135dbaf28.
+Made from templates/kernel.py.j2; inputs c6db263e52e711de824a841e0cf7d4dac729e4067b9db13ba00a68cb33877c90.
 1678 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

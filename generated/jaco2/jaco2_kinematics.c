@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs bb9d5861e4137afed6c3bc9d3bc4e880d8299dcbe979e0e14556989db6d57d18.
+ * Made from templates/kernel.c.j2; inputs 7c87afa2b5585ff104ee47bc616a96cf4ce1915a03f0fc92a3189534829f761e.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "bb9d5861e4137afed6c3bc9d3bc4e880d8299dcbe979e0e14556989db6d57d18";
+const char jaco2_kinematics_digest[] = "7c87afa2b5585ff104ee47bc616a96cf4ce1915a03f0fc92a3189534829f761e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs bb9d5861e4137afed6c3bc9d3bc4e880d8299dcbe979e0e14556989db6d57d18.
+ * Made from templates/kernel.h.j2; inputs 7c87afa2b5585ff104ee47bc616a96cf4ce1915a03f0fc92a3189534829f761e.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d5732f365b329e245dd2acb9680eb5893fb80afcade84aed099b26a275b90824.
+Made from templates/kernel.py.j2; inputs bf6bad00a1e237b650503352a40ac1065a88b187a68c85975f4baf786441e362.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs d5732f365b329e245dd2acb9680eb5893fb80afcade84aed099b26a275b90824.
+ * Made from templates/kernel.c.j2; inputs bf6bad00a1e237b650503352a40ac1065a88b187a68c85975f4baf786441e362.
  * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "d5732f365b329e245dd2acb9680eb5893fb80afcade84aed099b26a275b90824";
+const char jaco2_position_digest[] = "bf6bad00a1e237b650503352a40ac1065a88b187a68c85975f4baf786441e362";
 #endif
 
 #define LANES 64

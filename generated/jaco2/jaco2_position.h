@@ -1,5 +1,5 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs d5732f365b329e245dd2acb9680eb5893fb80afcade84aed099b26a275b90824.
+ * Made from templates/kernel.h.j2; inputs bf6bad00a1e237b650503352a40ac1065a88b187a68c85975f4baf786441e362.
  * 1419 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs 049b7ec58956f0a0b3de483d18bad3dd7815aaf8a2ab6c379dbbc824f76531d7.
+ * Made from templates/kernel.c.j2; inputs 8553b5fc79eeb03b2b93ad2eed386d248541292740717056c19912423953ef6c.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "049b7ec58956f0a0b3de483d18bad3dd7815aaf8a2ab6c379dbbc824f76531d7";
+const char motion_rest_to_rest_digest[] = "8553b5fc79eeb03b2b93ad2eed386d248541292740717056c19912423953ef6c";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 049b7ec58956f0a0b3de483d18bad3dd7815aaf8a2ab6c379dbbc824f76531d7.
+ * Made from templates/kernel.h.j2; inputs 8553b5fc79eeb03b2b93ad2eed386d248541292740717056c19912423953ef6c.
  * 53 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

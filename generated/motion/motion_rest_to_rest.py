@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 049b7ec58956f0a0b3de483d18bad3dd7815aaf8a2ab6c379dbbc824f76531d7.
+Made from templates/kernel.py.j2; inputs 8553b5fc79eeb03b2b93ad2eed386d248541292740717056c19912423953ef6c.
 53 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 10b8aa20e1f0a7a1484248e65553f5c2c1ada210d90ca4cc1891558a0dce68aa.
+ * Made from templates/kernel.c.j2; inputs c8fabad8c3d83fdc1e4020a27e913ee796bebda111423e57414edca53d447656.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "10b8aa20e1f0a7a1484248e65553f5c2c1ada210d90ca4cc1891558a0dce68aa";
+const char orthogonal_3r_cuspidality_digest[] = "c8fabad8c3d83fdc1e4020a27e913ee796bebda111423e57414edca53d447656";
 #endif
 
 #define LANES 32

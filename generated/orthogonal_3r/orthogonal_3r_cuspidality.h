@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 10b8aa20e1f0a7a1484248e65553f5c2c1ada210d90ca4cc1891558a0dce68aa.
+ * Made from templates/kernel.h.j2; inputs c8fabad8c3d83fdc1e4020a27e913ee796bebda111423e57414edca53d447656.
  * 2258 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

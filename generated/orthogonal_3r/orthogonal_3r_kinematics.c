@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 219d8a8dcc87d17eee54d6ece3db34a45d947e33ac47bb5a5cab3b07e14bde33.
+ * Made from templates/kernel.c.j2; inputs 0912d2db0a1d07d201b1fbb62ea6f7061dc72707eeea21b6951e9454307d9aa8.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "219d8a8dcc87d17eee54d6ece3db34a45d947e33ac47bb5a5cab3b07e14bde33";
+const char orthogonal_3r_kinematics_digest[] = "0912d2db0a1d07d201b1fbb62ea6f7061dc72707eeea21b6951e9454307d9aa8";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.h: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 219d8a8dcc87d17eee54d6ece3db34a45d947e33ac47bb5a5cab3b07e14bde33.
+ * Made from templates/kernel.h.j2; inputs 0912d2db0a1d07d201b1fbb62ea6f7061dc72707eeea21b6951e9454307d9aa8.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs 8856ed4b796e59b21bc76ac299d421aa16f655b90dcd28cd6d61f174c049b072.
+ * Made from templates/kernel.c.j2; inputs 9c105e9c0edab80b2875e22bbd0c8b80c6137da07a113e85d239ee82a67bc6b3.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "8856ed4b796e59b21bc76ac299d421aa16f655b90dcd28cd6d61f174c049b072";
+const char panda_continuation_pose_digest[] = "9c105e9c0edab80b2875e22bbd0c8b80c6137da07a113e85d239ee82a67bc6b3";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8856ed4b796e59b21bc76ac299d421aa16f655b90dcd28cd6d61f174c049b072.
+Made from templates/kernel.py.j2; inputs 9c105e9c0edab80b2875e22bbd0c8b80c6137da07a113e85d239ee82a67bc6b3.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

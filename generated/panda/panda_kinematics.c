@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs e706985caaedd05a9bfe4ae6cf044c1ae5160a7592a0c81d7fb44d9842a60f9f.
+ * Made from templates/kernel.c.j2; inputs 0c964d4298f7c4d602aab07f6e671287cb51606a8ebec54fcfa096d1d23617bd.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "e706985caaedd05a9bfe4ae6cf044c1ae5160a7592a0c81d7fb44d9842a60f9f";
+const char panda_kinematics_digest[] = "0c964d4298f7c4d602aab07f6e671287cb51606a8ebec54fcfa096d1d23617bd";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs e706985caaedd05a9bfe4ae6cf044c1ae5160a7592a0c81d7fb44d9842a60f9f.
+ * Made from templates/kernel.h.j2; inputs 0c964d4298f7c4d602aab07f6e671287cb51606a8ebec54fcfa096d1d23617bd.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

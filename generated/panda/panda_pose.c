@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs 7b7912bddfaf794e6359e8b1d968379c786171521e8d133c65879b1d819765a7.
+ * Made from templates/kernel.c.j2; inputs 1768599b615dec895cc045d4e3d496b96131cfaed335c61f8c29f03016acd38a.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "7b7912bddfaf794e6359e8b1d968379c786171521e8d133c65879b1d819765a7";
+const char panda_pose_digest[] = "1768599b615dec895cc045d4e3d496b96131cfaed335c61f8c29f03016acd38a";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs 7b7912bddfaf794e6359e8b1d968379c786171521e8d133c65879b1d819765a7.
+ * Made from templates/kernel.h.j2; inputs 1768599b615dec895cc045d4e3d496b96131cfaed335c61f8c29f03016acd38a.
  * 2645 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

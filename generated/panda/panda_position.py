@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7b7912bddfaf794e6359e8b1d968379c786171521e8d133c65879b1d819765a7.
+Made from templates/kernel.py.j2; inputs 1768599b615dec895cc045d4e3d496b96131cfaed335c61f8c29f03016acd38a.
 1852 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

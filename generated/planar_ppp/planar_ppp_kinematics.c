@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.c: kinematics of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 357de8b943383904376eebbb168209ea31a22e754e074ec6cde95057216b8f4a.
+ * Made from templates/kernel.c.j2; inputs 3c1b24ffdc0a11dc81da09fa46724c7d6a70e606c161cdd46a37157953a5cafb.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_kinematics_digest[] = "357de8b943383904376eebbb168209ea31a22e754e074ec6cde95057216b8f4a";
+const char planar_ppp_kinematics_digest[] = "3c1b24ffdc0a11dc81da09fa46724c7d6a70e606c161cdd46a37157953a5cafb";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 357de8b943383904376eebbb168209ea31a22e754e074ec6cde95057216b8f4a.
+ * Made from templates/kernel.h.j2; inputs 3c1b24ffdc0a11dc81da09fa46724c7d6a70e606c161cdd46a37157953a5cafb.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 51db9bca4e862df59ef91169d9333011c51ea6d5851cda3f9e45ad3fe532116b.
+ * Made from templates/kernel.c.j2; inputs 1e2777353ea520c9637c832497cdfb121ee0124b30ffed26db5ebbd7e2c4b970.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "51db9bca4e862df59ef91169d9333011c51ea6d5851cda3f9e45ad3fe532116b";
+const char planar_ppp_motion_digest[] = "1e2777353ea520c9637c832497cdfb121ee0124b30ffed26db5ebbd7e2c4b970";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 51db9bca4e862df59ef91169d9333011c51ea6d5851cda3f9e45ad3fe532116b.
+ * Made from templates/kernel.h.j2; inputs 1e2777353ea520c9637c832497cdfb121ee0124b30ffed26db5ebbd7e2c4b970.
  * 153 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 640118c5e9a9a064d4ba060817352ed778a208866919d5487b936c012078f908.
+ * Made from templates/kernel.c.j2; inputs bd1c597d39a04113ce6483687fbb758b5b5c8b450d4ea570419d33fe8f170661.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "640118c5e9a9a064d4ba060817352ed778a208866919d5487b936c012078f908";
+const char planar_ppp_speed_ratio_digest[] = "bd1c597d39a04113ce6483687fbb758b5b5c8b450d4ea570419d33fe8f170661";
 #endif
 
 #define LANES 64

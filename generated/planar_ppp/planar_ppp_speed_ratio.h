@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 640118c5e9a9a064d4ba060817352ed778a208866919d5487b936c012078f908.
+ * Made from templates/kernel.h.j2; inputs bd1c597d39a04113ce6483687fbb758b5b5c8b450d4ea570419d33fe8f170661.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 640118c5e9a9a064d4ba060817352ed778a208866919d5487b936c012078f908.
+Made from templates/kernel.py.j2; inputs bd1c597d39a04113ce6483687fbb758b5b5c8b450d4ea570419d33fe8f170661.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

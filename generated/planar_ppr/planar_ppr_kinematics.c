@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs b22b5db206e12d6721ee2bef82f84fd65bb1228a07dbee26c5c43f5330febcc1.
+ * Made from templates/kernel.c.j2; inputs c64bf2f8a6f3e7cdbcf355eb52284fb719c58710196a9597ba662e5f84280bed.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "b22b5db206e12d6721ee2bef82f84fd65bb1228a07dbee26c5c43f5330febcc1";
+const char planar_ppr_kinematics_digest[] = "c64bf2f8a6f3e7cdbcf355eb52284fb719c58710196a9597ba662e5f84280bed";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs b22b5db206e12d6721ee2bef82f84fd65bb1228a07dbee26c5c43f5330febcc1.
+ * Made from templates/kernel.h.j2; inputs c64bf2f8a6f3e7cdbcf355eb52284fb719c58710196a9597ba662e5f84280bed.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs bc2a3228a044c924e14b3dab344ae967bcb0993e54b062a3acbbbb73d3cabd5f.
+ * Made from templates/kernel.c.j2; inputs 16a1118c4b0e32647d5bac059cfbaee16d93ff3fa4fcc44f3103564900f9ffc1.
  * 194 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "bc2a3228a044c924e14b3dab344ae967bcb0993e54b062a3acbbbb73d3cabd5f";
+const char planar_ppr_motion_digest[] = "16a1118c4b0e32647d5bac059cfbaee16d93ff3fa4fcc44f3103564900f9ffc1";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bc2a3228a044c924e14b3dab344ae967bcb0993e54b062a3acbbbb73d3cabd5f.
+Made from templates/kernel.py.j2; inputs 16a1118c4b0e32647d5bac059cfbaee16d93ff3fa4fcc44f3103564900f9ffc1.
 194 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

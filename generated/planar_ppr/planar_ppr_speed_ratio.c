@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 484e33b0baada49f2ff6dd16d263ab5e8b78270931501e81f84febc6626ff7c7.
+ * Made from templates/kernel.c.j2; inputs d220e932998cc6a7195824a85b79d5ad4ddfbab983526069fbe6a52ccb47df74.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "484e33b0baada49f2ff6dd16d263ab5e8b78270931501e81f84febc6626ff7c7";
+const char planar_ppr_speed_ratio_digest[] = "d220e932998cc6a7195824a85b79d5ad4ddfbab983526069fbe6a52ccb47df74";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 484e33b0baada49f2ff6dd16d263ab5e8b78270931501e81f84febc6626ff7c7.
+ * Made from templates/kernel.h.j2; inputs d220e932998cc6a7195824a85b79d5ad4ddfbab983526069fbe6a52ccb47df74.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs 7b49015d7c609d04c8ddfaefe107f25d0fcf53be3da3bb0673e2f399042e58be.
+ * Made from templates/kernel.c.j2; inputs 92f81b4788aca630aee39f22d7f131e668e1e1c03da237d0e44bc729ae16ff7f.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "7b49015d7c609d04c8ddfaefe107f25d0fcf53be3da3bb0673e2f399042e58be";
+const char planar_prp_kinematics_digest[] = "92f81b4788aca630aee39f22d7f131e668e1e1c03da237d0e44bc729ae16ff7f";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7b49015d7c609d04c8ddfaefe107f25d0fcf53be3da3bb0673e2f399042e58be.
+Made from templates/kernel.py.j2; inputs 92f81b4788aca630aee39f22d7f131e668e1e1c03da237d0e44bc729ae16ff7f.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 48af623c2bc7523235a52380dd865de8df7d0e8937db3a424ed40a7c65240cb9.
+Made from templates/kernel.py.j2; inputs 6ee7e388f97299d17d136cb7090f1bdb1e214c14371ca6ddbff5b74a61d5378a.
 265 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

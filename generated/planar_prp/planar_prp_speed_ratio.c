@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs 507cbd4ee6bdc95781af1b78ca02629e8e78a84d0c372391fe142d86d4340b58.
+ * Made from templates/kernel.c.j2; inputs 1f6362747afe2d08357c8c49d212ac0579fc0b795cdbd39148a4b8b58f294775.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "507cbd4ee6bdc95781af1b78ca02629e8e78a84d0c372391fe142d86d4340b58";
+const char planar_prp_speed_ratio_digest[] = "1f6362747afe2d08357c8c49d212ac0579fc0b795cdbd39148a4b8b58f294775";
 #endif
 
 #define LANES 64

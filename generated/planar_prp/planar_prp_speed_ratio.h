@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs 507cbd4ee6bdc95781af1b78ca02629e8e78a84d0c372391fe142d86d4340b58.
+ * Made from templates/kernel.h.j2; inputs 1f6362747afe2d08357c8c49d212ac0579fc0b795cdbd39148a4b8b58f294775.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs 00443177d730cd6cbf99c15010e5da1d08027fb6d9ad7206a277c4d30f0b8ca5.
+ * Made from templates/kernel.c.j2; inputs ba18c4065b669176fe6accb278d06708a67ee2b961debe964e4395c718ef60a0.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "00443177d730cd6cbf99c15010e5da1d08027fb6d9ad7206a277c4d30f0b8ca5";
+const char planar_prr_kinematics_digest[] = "ba18c4065b669176fe6accb278d06708a67ee2b961debe964e4395c718ef60a0";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs 00443177d730cd6cbf99c15010e5da1d08027fb6d9ad7206a277c4d30f0b8ca5.
+ * Made from templates/kernel.h.j2; inputs ba18c4065b669176fe6accb278d06708a67ee2b961debe964e4395c718ef60a0.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 6b8e9efb7d78cb24a4469beaf43ba02c9f11432da9fce0c795f29f132b64d123.
+ * Made from templates/kernel.c.j2; inputs cdd00f1d7ad4598cea659730687d433e3d47aaff923dd1c5fc62fb0f1336f6e4.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "6b8e9efb7d78cb24a4469beaf43ba02c9f11432da9fce0c795f29f132b64d123";
+const char planar_prr_motion_digest[] = "cdd00f1d7ad4598cea659730687d433e3d47aaff923dd1c5fc62fb0f1336f6e4";
 #endif
 
 #define LANES 64

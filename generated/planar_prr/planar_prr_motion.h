@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs 6b8e9efb7d78cb24a4469beaf43ba02c9f11432da9fce0c795f29f132b64d123.
+ * Made from templates/kernel.h.j2; inputs cdd00f1d7ad4598cea659730687d433e3d47aaff923dd1c5fc62fb0f1336f6e4.
  * 236 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6b8e9efb7d78cb24a4469beaf43ba02c9f11432da9fce0c795f29f132b64d123.
+Made from templates/kernel.py.j2; inputs cdd00f1d7ad4598cea659730687d433e3d47aaff923dd1c5fc62fb0f1336f6e4.
 236 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

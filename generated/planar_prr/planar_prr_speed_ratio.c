@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 194619e0e0eb916ab2aee86e5c72de5921ae8ceb96ea8e8ddb9df82247547d0a.
+ * Made from templates/kernel.c.j2; inputs 6542ea565b426b739f5355c6ba49c30bf1c2825ee560388cd8b4dc7c0583df39.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "194619e0e0eb916ab2aee86e5c72de5921ae8ceb96ea8e8ddb9df82247547d0a";
+const char planar_prr_speed_ratio_digest[] = "6542ea565b426b739f5355c6ba49c30bf1c2825ee560388cd8b4dc7c0583df39";
 #endif
 
 #define LANES 64

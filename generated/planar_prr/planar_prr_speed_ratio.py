@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 194619e0e0eb916ab2aee86e5c72de5921ae8ceb96ea8e8ddb9df82247547d0a.
+Made from templates/kernel.py.j2; inputs 6542ea565b426b739f5355c6ba49c30bf1c2825ee560388cd8b4dc7c0583df39.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

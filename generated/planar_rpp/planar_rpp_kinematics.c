@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 82420e98392580d89ad6aacba3f9458d3e7329de03a7ebb61aedac2a09556934.
+ * Made from templates/kernel.c.j2; inputs 96dc6e9c80ef4c40ed7dd4dcbec4802773d9fd2eb4cdb4e23f4172bb8edb4a9d.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "82420e98392580d89ad6aacba3f9458d3e7329de03a7ebb61aedac2a09556934";
+const char planar_rpp_kinematics_digest[] = "96dc6e9c80ef4c40ed7dd4dcbec4802773d9fd2eb4cdb4e23f4172bb8edb4a9d";
 #endif
 
 #define LANES 64

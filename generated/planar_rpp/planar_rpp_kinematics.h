@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 82420e98392580d89ad6aacba3f9458d3e7329de03a7ebb61aedac2a09556934.
+ * Made from templates/kernel.h.j2; inputs 96dc6e9c80ef4c40ed7dd4dcbec4802773d9fd2eb4cdb4e23f4172bb8edb4a9d.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs a5f1bfe1e271a2a23817d4d3e1baad5ce229a52322b8518b97c33b17e34e963c.
+ * Made from templates/kernel.c.j2; inputs 0a63dd0c20478312ba39c69ca3c796850f2d74314099107f9b3c7cb2f6cd2940.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "a5f1bfe1e271a2a23817d4d3e1baad5ce229a52322b8518b97c33b17e34e963c";
+const char planar_rpp_motion_digest[] = "0a63dd0c20478312ba39c69ca3c796850f2d74314099107f9b3c7cb2f6cd2940";
 #endif
 
 #define LANES 64

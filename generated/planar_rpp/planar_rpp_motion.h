@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs a5f1bfe1e271a2a23817d4d3e1baad5ce229a52322b8518b97c33b17e34e963c.
+ * Made from templates/kernel.h.j2; inputs 0a63dd0c20478312ba39c69ca3c796850f2d74314099107f9b3c7cb2f6cd2940.
  * 331 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

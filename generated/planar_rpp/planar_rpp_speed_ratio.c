@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 81ba676c0e8b7862c8e9d69ccd06011fb063b986f92450e518a1eb1c4864c38d.
+ * Made from templates/kernel.c.j2; inputs f060b846089506765a04feb2652fe87e5c8ed535c23c48e8b4cc303dee317050.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "81ba676c0e8b7862c8e9d69ccd06011fb063b986f92450e518a1eb1c4864c38d";
+const char planar_rpp_speed_ratio_digest[] = "f060b846089506765a04feb2652fe87e5c8ed535c23c48e8b4cc303dee317050";
 #endif
 
 #define LANES 64

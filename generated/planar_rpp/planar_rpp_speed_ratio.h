@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 81ba676c0e8b7862c8e9d69ccd06011fb063b986f92450e518a1eb1c4864c38d.
+ * Made from templates/kernel.h.j2; inputs f060b846089506765a04feb2652fe87e5c8ed535c23c48e8b4cc303dee317050.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 81ba676c0e8b7862c8e9d69ccd06011fb063b986f92450e518a1eb1c4864c38d.
+Made from templates/kernel.py.j2; inputs f060b846089506765a04feb2652fe87e5c8ed535c23c48e8b4cc303dee317050.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs fcfbd5c55d388628412ef0370525b32a1a6733241792c4685b748cfd4c204045.
+ * Made from templates/kernel.c.j2; inputs f70f7a936965ac723af4f414dead4cbd42a163cf2ad6867a8ba0621709c21aff.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "fcfbd5c55d388628412ef0370525b32a1a6733241792c4685b748cfd4c204045";
+const char planar_rpr_kinematics_digest[] = "f70f7a936965ac723af4f414dead4cbd42a163cf2ad6867a8ba0621709c21aff";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fcfbd5c55d388628412ef0370525b32a1a6733241792c4685b748cfd4c204045.
+Made from templates/kernel.py.j2; inputs f70f7a936965ac723af4f414dead4cbd42a163cf2ad6867a8ba0621709c21aff.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 9ddca291a8dfa4393bcf65eb711d24bce119bcfc6a0d3df6bbf433a977dd2f62.
+ * Made from templates/kernel.c.j2; inputs df005abfb551a7ef24428707624cf8fa4eb2578372e747f5c1f4724b6b51dd95.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "9ddca291a8dfa4393bcf65eb711d24bce119bcfc6a0d3df6bbf433a977dd2f62";
+const char planar_rpr_motion_digest[] = "df005abfb551a7ef24428707624cf8fa4eb2578372e747f5c1f4724b6b51dd95";
 #endif
 
 #define LANES 64

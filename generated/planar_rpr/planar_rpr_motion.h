@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 9ddca291a8dfa4393bcf65eb711d24bce119bcfc6a0d3df6bbf433a977dd2f62.
+ * Made from templates/kernel.h.j2; inputs df005abfb551a7ef24428707624cf8fa4eb2578372e747f5c1f4724b6b51dd95.
  * 307 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

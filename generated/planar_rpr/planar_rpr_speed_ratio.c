@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 0151a2e1793d4f6b32254afa9c4bd1a855717565391bb1bbb1a6d8c8e74ab47f.
+ * Made from templates/kernel.c.j2; inputs 93223ff2a71e99bd02c8193a0d46ee1f914d173faf1c104623a7c2ca1ade3699.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "0151a2e1793d4f6b32254afa9c4bd1a855717565391bb1bbb1a6d8c8e74ab47f";
+const char planar_rpr_speed_ratio_digest[] = "93223ff2a71e99bd02c8193a0d46ee1f914d173faf1c104623a7c2ca1ade3699";
 #endif
 
 #define LANES 64

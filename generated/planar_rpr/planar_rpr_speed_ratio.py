@@ -1,6 +1,6 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0151a2e1793d4f6b32254afa9c4bd1a855717565391bb1bbb1a6d8c8e74ab47f.
+Made from templates/kernel.py.j2; inputs 93223ff2a71e99bd02c8193a0d46ee1f914d173faf1c104623a7c2ca1ade3699.
 1003 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

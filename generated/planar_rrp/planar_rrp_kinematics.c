@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs ddd4e8a1d18eaec14f72f69cdb84565fab241d0e2c0f9f5efbca3aef1c65b568.
+ * Made from templates/kernel.c.j2; inputs 7cbc4d0faffcafdbdd2e7a9dee4429ddbcc1f070e6586a1d53d053ad2396a321.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "ddd4e8a1d18eaec14f72f69cdb84565fab241d0e2c0f9f5efbca3aef1c65b568";
+const char planar_rrp_kinematics_digest[] = "7cbc4d0faffcafdbdd2e7a9dee4429ddbcc1f070e6586a1d53d053ad2396a321";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ddd4e8a1d18eaec14f72f69cdb84565fab241d0e2c0f9f5efbca3aef1c65b568.
+Made from templates/kernel.py.j2; inputs 7cbc4d0faffcafdbdd2e7a9dee4429ddbcc1f070e6586a1d53d053ad2396a321.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

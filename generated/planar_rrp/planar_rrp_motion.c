@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs c45761ae1ca38eafcf81afeeb15c1df759ac956496dc7744357e727ecd8c1253.
+ * Made from templates/kernel.c.j2; inputs 5f47c84b4ee7101af739e2b9a2b4fdab5f98ba1ddfa18b052ec797fc42337efd.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "c45761ae1ca38eafcf81afeeb15c1df759ac956496dc7744357e727ecd8c1253";
+const char planar_rrp_motion_digest[] = "5f47c84b4ee7101af739e2b9a2b4fdab5f98ba1ddfa18b052ec797fc42337efd";
 #endif
 
 #define LANES 64

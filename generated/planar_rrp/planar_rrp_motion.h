@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs c45761ae1ca38eafcf81afeeb15c1df759ac956496dc7744357e727ecd8c1253.
+ * Made from templates/kernel.h.j2; inputs 5f47c84b4ee7101af739e2b9a2b4fdab5f98ba1ddfa18b052ec797fc42337efd.
  * 305 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.h: speed ratio of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 4ab6dc79790feaa2ac734f0bd753993d5206883f797f7e7d72ceeebec62ae561.
+ * Made from templates/kernel.h.j2; inputs a507973b41c0f7a16f5e150bee994bd2328dae84ea4018d5d4667312a7e5b51f.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """continuation position of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 08838b7a7422e1807486ee2ebff973ecbbced23c292fd6c78ac827d9d29cbd2a.
+Made from templates/kernel.py.j2; inputs be9ac5a1ec197de7c7f70866a70f5b8049bb4fff73bd3427d8c84ac629de7219.
 123 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

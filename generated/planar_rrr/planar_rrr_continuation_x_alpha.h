@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 08838b7a7422e1807486ee2ebff973ecbbced23c292fd6c78ac827d9d29cbd2a.
+ * Made from templates/kernel.h.j2; inputs be9ac5a1ec197de7c7f70866a70f5b8049bb4fff73bd3427d8c84ac629de7219.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

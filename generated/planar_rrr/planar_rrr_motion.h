@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 741b863c8d0ebbb801a9f009b525b1efdd5bb158a6ed4fa67434bb5f93ddb8a6.
+ * Made from templates/kernel.h.j2; inputs f8a5de3ac37f85216b1890c349345946615e1d040043cc7ff6eb0d2924d39969.
  * 282 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

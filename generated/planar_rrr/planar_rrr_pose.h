@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 0c4826675976fd6c4abcb7ba795bd24e3b630ed21cf17feae5f5ed590b6470da.
+ * Made from templates/kernel.h.j2; inputs 9573552b51a736ea3c3fe09399dd0856a2fca307fd2bc3f675f8c1f525a6b9e3.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs bbce1d6a2f2e7bbc097b946a812062d9ecd29e28da8d13258fc62a6154920d21.
+ * Made from templates/kernel.c.j2; inputs 0fba0c637d5a399b2289295fa9668662733738f6a1a061aea968c8530b4b1d33.
  * 1575 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "bbce1d6a2f2e7bbc097b946a812062d9ecd29e28da8d13258fc62a6154920d21";
+const char planar_rrr_self_motion_digest[] = "0fba0c637d5a399b2289295fa9668662733738f6a1a061aea968c8530b4b1d33";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs bbce1d6a2f2e7bbc097b946a812062d9ecd29e28da8d13258fc62a6154920d21.
+ * Made from templates/kernel.h.j2; inputs 0fba0c637d5a399b2289295fa9668662733738f6a1a061aea968c8530b4b1d33.
  * 1575 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

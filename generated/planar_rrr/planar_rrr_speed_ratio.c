@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs f6cf03e93bee8294964c5047d7b13750db7ab5e407ecd18d6603456a2ef06284.
+ * Made from templates/kernel.c.j2; inputs 7946dabb80fc5e1d9832d09c9eaca19cd5c4d55e39835d03edc3b77ada5d343c.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "f6cf03e93bee8294964c5047d7b13750db7ab5e407ecd18d6603456a2ef06284";
+const char planar_rrr_speed_ratio_digest[] = "7946dabb80fc5e1d9832d09c9eaca19cd5c4d55e39835d03edc3b77ada5d343c";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f6cf03e93bee8294964c5047d7b13750db7ab5e407ecd18d6603456a2ef06284.
+Made from templates/kernel.py.j2; inputs 7946dabb80fc5e1d9832d09c9eaca19cd5c4d55e39835d03edc3b77ada5d343c.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

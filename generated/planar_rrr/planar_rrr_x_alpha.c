@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.c: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 0c4826675976fd6c4abcb7ba795bd24e3b630ed21cf17feae5f5ed590b6470da.
+ * Made from templates/kernel.c.j2; inputs 9573552b51a736ea3c3fe09399dd0856a2fca307fd2bc3f675f8c1f525a6b9e3.
  * 311 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_x_alpha_digest[] = "0c4826675976fd6c4abcb7ba795bd24e3b630ed21cf17feae5f5ed590b6470da";
+const char planar_rrr_x_alpha_digest[] = "9573552b51a736ea3c3fe09399dd0856a2fca307fd2bc3f675f8c1f525a6b9e3";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ad9613c9e0e85ea56c574c4233e7c5e684d7b0aea81f601e2a2f9994410c9596.
+Made from templates/kernel.py.j2; inputs 9acb9b4e573eda7d47f5db723fd50b5560430fab2d80aa91866287408a4a9ddd.
 511 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

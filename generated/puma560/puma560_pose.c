@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs 6fd787773fe85ae82e6083d83e061d63848abba6a305594afbc984483bac1e6d.
+ * Made from templates/kernel.c.j2; inputs 403484bd98dcf16f8dc620165ff2764dae3cc55184b0b2bedf98c94c41e3888d.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "6fd787773fe85ae82e6083d83e061d63848abba6a305594afbc984483bac1e6d";
+const char puma560_pose_digest[] = "403484bd98dcf16f8dc620165ff2764dae3cc55184b0b2bedf98c94c41e3888d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs 6fd787773fe85ae82e6083d83e061d63848abba6a305594afbc984483bac1e6d.
+ * Made from templates/kernel.h.j2; inputs 403484bd98dcf16f8dc620165ff2764dae3cc55184b0b2bedf98c94c41e3888d.
  * 435 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs f7303af2947fb97bbef832a070f5a5aa07eee5f3a31148036d7dd8c0afb95fd2.
+ * Made from templates/kernel.h.j2; inputs 15308f4c0a7ecb4ee0a448257c5114c77c112baf28c1d526ffec029d8481cf69.
  * 4089 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

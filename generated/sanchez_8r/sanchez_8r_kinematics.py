@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9be0002861b3200349ac5eaa17d13cb9491d2be69534e5161c6b0d460f51a592.
+Made from templates/kernel.py.j2; inputs 2f78d469ed41f47ea75bae9cfc087b01ca07552e0a485c19f4cdf30acf673afc.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (pose) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3ee5338344b25e999485b5e141d0c2f970cb4a9f0e3bb65f5a7c12bd965c85ae.
+Made from templates/kernel.py.j2; inputs d39850215ba62f6359711b34f92574fc21ceb4e15f0e03e3d97abaca5a15255b.
 3779 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 3ee5338344b25e999485b5e141d0c2f970cb4a9f0e3bb65f5a7c12bd965c85ae.
+ * Made from templates/kernel.c.j2; inputs d39850215ba62f6359711b34f92574fc21ceb4e15f0e03e3d97abaca5a15255b.
  * 2301 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "3ee5338344b25e999485b5e141d0c2f970cb4a9f0e3bb65f5a7c12bd965c85ae";
+const char sanchez_8r_position_digest[] = "d39850215ba62f6359711b34f92574fc21ceb4e15f0e03e3d97abaca5a15255b";
 #endif
 
 #define LANES 32

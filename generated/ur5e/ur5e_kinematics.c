@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 685f8d4c9c41a560f6c6d793ed42eed5ef10082a5078c2b9f30c72d095d1491e.
+ * Made from templates/kernel.c.j2; inputs 7ff5d8e7431e398e68308ceb85f6df73005eca09b3254e47e7518511ed0be00e.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "685f8d4c9c41a560f6c6d793ed42eed5ef10082a5078c2b9f30c72d095d1491e";
+const char ur5e_kinematics_digest[] = "7ff5d8e7431e398e68308ceb85f6df73005eca09b3254e47e7518511ed0be00e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.h: kinematics of ur5e.
- * Made from templates/kernel.h.j2; inputs 685f8d4c9c41a560f6c6d793ed42eed5ef10082a5078c2b9f30c72d095d1491e.
+ * Made from templates/kernel.h.j2; inputs 7ff5d8e7431e398e68308ceb85f6df73005eca09b3254e47e7518511ed0be00e.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f67c7c9310fac3f73c50764d66435a3d212785ac1b20ba84034d6a25558af583.
+Made from templates/kernel.py.j2; inputs 5dc07d78cae81427f9819e91aec98e9750a25de159f348f4edc3813203ea2520.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

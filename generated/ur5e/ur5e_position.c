@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs f67c7c9310fac3f73c50764d66435a3d212785ac1b20ba84034d6a25558af583.
+ * Made from templates/kernel.c.j2; inputs 5dc07d78cae81427f9819e91aec98e9750a25de159f348f4edc3813203ea2520.
  * 1082 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "f67c7c9310fac3f73c50764d66435a3d212785ac1b20ba84034d6a25558af583";
+const char ur5e_position_digest[] = "5dc07d78cae81427f9819e91aec98e9750a25de159f348f4edc3813203ea2520";
 #endif
 
 #define LANES 64

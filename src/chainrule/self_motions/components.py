@@ -78,13 +78,14 @@ def _swivelled(held: Held, swivel: Swivel) -> Found:
     if not swivel.elbows:
         return Found((), "closed form", "proved")
     starts = held.corrected(swivel.thirds[..., 0, :].reshape(-1, 7), swivel.target)
-    structure, curves = Structure.of(held.arm), []
-    sides = np.array([flip.side(starts) > 0.0 for flip in structure.flips])
-    for k in range(len(starts)):  # one of each class of curves that the flips make of one another
-        if sides[:, k].all():
-            [curve] = _traced(held, swivel.target, starts[k : k + 1])
-            curves += structure.images(curve, structure.flips)
-    closed = all(curve.closed for curve in curves) and len(curves) == len(starts)
+    structure = swivel.limbs.structure
+    curves: list[Component] = []
+    ends = [flip for flip in structure.flips if flip.first != 2]  # what the elbow's flip makes is not among the starts
+    sides = np.array([flip.side(starts) > 0.0 for flip in ends]).reshape(-1, len(starts))
+    for k in np.flatnonzero(sides.all(axis=0)):  # one of each class of curves that the flips make of one another
+        [curve] = _traced(held, swivel.target, starts[k : k + 1])
+        curves += structure.images(curve, structure.flips)
+    closed = all(curve.closed for curve in curves) and len(curves) == 4 * len(swivel.elbows)
     return Found(tuple(curves), "closed form", "proved" if closed else f"{len(curves)} curves, not all of which closed")
 
 

@@ -334,10 +334,11 @@ def feasible(
     revolute = np.array([kind == "R" for kind in arm.kinds])
     every: dict[int, list[Component]] = {}
     moving = []
+    near = _meets(np.array([each.box for each in components]).reshape(-1, arm.n, 2), bounds, revolute)
     for index, each in enumerate(components):
         if len(each.q) < 2 or each.length == 0.0:
             every[index] = _point(each, bounds, revolute, index)
-        elif _meets(each.box, bounds, revolute):
+        elif near[index]:
             moving.append(index)
     if moving:
         curves = [components[index] for index in moving]
@@ -393,13 +394,13 @@ def _point(component: Component, bounds: Array, revolute: Array, index: int) -> 
     return [replace(component, q=component.q + shift, box=component.box + shift[:, np.newaxis], of=index, points=None)]
 
 
-def _meets(box: Array, bounds: Array, revolute: Array) -> bool:
-    """Whether each joint comes within its limits somewhere, whole turns apart if it is revolute."""
+def _meets(boxes: Array, bounds: Array, revolute: Array) -> Array:
+    """(k,): whether each joint comes within its limits somewhere in a box (k, n, 2), whole turns apart if revolute."""
     with np.errstate(invalid="ignore"):
-        low, high = bounds[:, 0] - box[:, 1], bounds[:, 1] - box[:, 0]  # a shift between these brings it there
+        low, high = bounds[:, 0] - boxes[..., 1], bounds[:, 1] - boxes[..., 0]  # a shift between these brings it there
         turned = np.floor(high / TURN + 1e-9) >= np.ceil(low / TURN - 1e-9)
     free = ~np.isfinite(bounds).all(axis=1)
-    return bool(np.where(revolute, free | turned, (low <= 1e-9) & (high >= -1e-9)).all())
+    return np.asarray(np.where(revolute, free | turned, (low <= 1e-9) & (high >= -1e-9)).all(axis=-1))
 
 
 def _cuts(hits: Array) -> Array:

@@ -10,6 +10,7 @@ all eight equal where the elbow has no offset, its own choice being a reflection
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -35,6 +36,7 @@ class Limbs:
     """What of an S-R-S arm does not depend on the pose.
 
     Attributes:
+        structure: the arm's axes.
         chain: its matrices.
         shoulder: (3,) where axes 1 to 3 meet, in the base frame, m.
         in_three, in_four: (3,) the shoulder in frame 3, the wrist in frame 4, m.
@@ -42,6 +44,7 @@ class Limbs:
         before: (3,) the shoulder in the frame that joint 4 turns.
     """
 
+    structure: Structure
     chain: Chain
     shoulder: Array
     in_three: Array
@@ -66,6 +69,7 @@ class Limbs:
         placements = chain.placements
         in_three = _apply(np.linalg.inv(placements[1] @ placements[2]), first)
         return cls(
+            structure,
             chain,
             placements[0, :3, :3] @ first + placements[0, :3, 3],
             in_three,
@@ -114,13 +118,19 @@ class Swivel:
         """The arm's matrices."""
         return self.limbs.chain
 
-    def postures(self, swivel: Array) -> Array:
-        """Configurations (elbows, 2, 2, k, 7): each elbow, shoulder and wrist at swivel angles (k,), not unwrapped."""
+    def postures(self, swivel: Array, elbows: Sequence[float] | None = None) -> Array:
+        """Configurations (elbows, 2, 2, k, 7): each elbow, shoulder and wrist at swivel angles (k,), not unwrapped.
+
+        Args:
+            swivel: angles about the line from shoulder to wrist, rad.
+            elbows: some of the values of q4; both when absent.
+        """
         placements, k = self.chain.placements, len(swivel)
         axis = self.wrist - self.limbs.shoulder
         turned = _about(axis, swivel)
-        found = np.empty((len(self.elbows), 2, 2, k, 7))
-        for each, elbow in zip(found, self.elbows, strict=True):
+        elbows = self.elbows if elbows is None else elbows
+        found = np.empty((len(elbows), 2, 2, k, 7))
+        for each, elbow in zip(found, elbows, strict=True):
             inner = placements[3, :3, :3] @ turn(elbow)
             between = inner @ self.limbs.in_four + placements[3, :3, 3] - self.limbs.in_three
             third = turned @ _taking(between, axis)  # the rotation of frame 3
@@ -135,8 +145,9 @@ class Swivel:
 
     @cached_property
     def thirds(self) -> Array:
-        """Configurations (elbows, 2, 2, 3, 7) a third of a turn apart."""
-        return self.postures(np.arange(3) * (TURN / 3.0))
+        """Configurations (elbows, 2, 2, 3, 7) a third of a turn apart; of one elbow where a flip makes the other."""
+        flipped = any(flip.first == 2 for flip in self.limbs.structure.flips)
+        return self.postures(np.arange(3) * (TURN / 3.0), self.elbows[:1] if flipped else None)
 
     @property
     def circles(self) -> list[tuple[Array, Array, float]]:

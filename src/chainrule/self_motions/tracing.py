@@ -13,11 +13,15 @@ stated length scale (prismatic joints), so that everything is in rad: x stands f
    curve with t.(x - x0) = s: within that slab of the ball the solutions are one arc, through x0. A step to a solution
    in it cannot have changed curves. K is a bound, not an estimate: second derivatives of a serial chain are products
    of unit axes and distances from axes to the tip.
-2. *Step.* Predict by the polynomial through up to four points and tangents (degree 7), no farther than the slab;
-   correct by Newton's method, x -= J^+ e; halve the step where that does not contract.
-3. *Closure.* Where the start, each revolute joint shifted by whole turns, lies ahead within the slab, the arc leads to
-   it: the curve is closed. The last step is solved for in the plane through the start normal to its tangent.
-4. *Length.* As often as the tangent has turned a little (or 6 radii were passed), the length since then is the
+2. *Step.* Predict by the polynomial through up to four points and tangents (degree 7); correct by Newton's method,
+   x -= J^+ e; halve the step where that does not contract. A point in the slab of the last ball is on its arc. So is a
+   point x1 beyond it, if its own ball holds the end of that arc: the arc's point at the distance s along t lies in a
+   disc of radius d = c / 2r (s^2 + (c r / 2)^2) about x0 + s t, by the bound in 1. Where all of the disc is in the slab
+   of the ball about x1, behind x1, the arcs through x0 and x1 have that point in common and are one.
+3. *Closure.* Where the start, each revolute joint shifted by whole turns, lies ahead within the slab, or behind the new
+   point within the slab of its ball, the arc leads to it: the curve is closed. The last step is solved for in the plane
+   through the start normal to its tangent.
+4. *Length.* As often as the tangent has turned a little (or 5 radii were passed), the length since then is the
    integral of 1 / (t.d) over the distance along the chord's direction d: Lobatto's rule, each node corrected on the
    curve. Its last
    Legendre coefficients, and how fast they fall, estimate the error and set the next turn.
@@ -42,7 +46,8 @@ REASONS = ("closed", "length", "singular", "steps", "stuck", "start")
 
 CONTRACTION = 0.9  # c of the guard
 SLAB = 0.89  # below sqrt(1 - c^2 / 4), with room for rounding
-ADVANCE = 0.85  # the longest step, of the ball's radius: less than SLAB, so that no step passes the start unseen
+ADVANCE = 0.85  # the longest step within a ball, of its radius
+BOTH = 0.82  # the longest step through two balls, of the sum of their radii
 LONGEST = 0.5  # the longest step, rad
 TURN = 0.5  # the most that a step may turn, rad
 NODES = 48  # certified points kept between two output points
@@ -54,7 +59,7 @@ POWERS = 3  # of the matrix whose largest eigenvalue is bounded
 LEVEL = 1e-12  # a slope below this (of H: this share of H) is rounding: nothing moves
 PARTS = 8  # of an interval between output points in which a slope is looked at for a change of sign
 LEAST_TURN, MOST_TURN = 0.02, 0.7  # of the tangent between two ends of a length rule
-BALLS = 6.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
+BALLS = 5.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
 FINEST = 1e-11  # the error of a length rule, relative to its chord, that is asked for
 
 
@@ -134,7 +139,8 @@ class Trace:
         box: (n, 2) least and greatest joint values; span: least and greatest H.
         reason: why it ended (:data:`REASONS`); steps: certified steps; evaluations: of the generated functions.
         closure: largest difference between the return and the start, rad; winding: (n,) turns of each joint.
-        contraction: the largest b K r |x1 - x0| / r met: below 1, the guard held at every step.
+        contraction: c times how far from a ball's centre, of its radius, a step went through it: below 1, the guard
+            held at every step.
     """
 
     q: Array
@@ -309,18 +315,12 @@ class Follower:
             return self.finished("singular", x, math.nan)
         self.rows.append(self.row(x, 0.0))
         nodes, history = [origin], [origin]
-        reason, closure, step = "", math.nan, ADVANCE * origin.radius
+        reason, closure, step, last_radius = "", math.nan, ADVANCE * origin.radius, origin.radius
         while not reason:
             here = nodes[-1]
-            ahead = self.image(origin.x, here.x)
-            distance = float(here.t @ (ahead - here.x))
-            if 0.0 < distance <= SLAB * here.radius and np.linalg.norm(ahead - here.x) <= here.radius:
-                guess = self.predict(history, distance)
-                back = self.correct(guess, origin.t, float(origin.t @ ahead))
-                closure = (
-                    float(np.abs(back[0] - ahead).max()) if back is not None else float(np.abs(guess - ahead).max())
-                )
-                nodes.append(Point(ahead, origin.t, here.radius))
+            ahead, along, distance = self.image(origin.x, here)
+            if 0.0 < along <= SLAB * here.radius and distance <= here.radius:
+                closure = self.close(origin, ahead, nodes, history)
                 reason = "closed"
                 break
             if self.rows[-1].s + float(np.linalg.norm(here.x - self.rows[-1].x)) >= settings.longest:
@@ -329,30 +329,44 @@ class Follower:
             if self.steps >= settings.steps:
                 reason = "steps"
                 break
-            step = min(step, ADVANCE * here.radius, LONGEST)
+            # one ball's length, or two where the next one is about as large
+            larger = here.radius**2 / last_radius if here.radius < last_radius else here.radius
+            step = min(step, BOTH * (here.radius + larger), LONGEST)
             if len(history) > 1:
                 bend = float(np.linalg.norm(history[-1].t - history[-2].t)) / (history[-1].s - history[-2].s)
                 step = min(step, TURN / bend) if bend > 0.0 else step
-            new = None
+            new, reached, closing = None, 0.0, False
             while step > 1e-3 * here.radius:
                 found = self.correct(self.predict(history, step))
-                if found is not None:
-                    shift = found[0] - here.x
-                    along, distance = float(here.t @ shift), float(np.linalg.norm(shift))
-                    if 0.0 < along <= SLAB * here.radius and distance <= here.radius:
-                        new = found
+                along = float(here.t @ (found[0] - here.x)) if found is not None else 0.0
+                if found is not None and along > 0.0:
+                    point = Point(found[0], found[1], self.radius(found[0], found[3], found[2], here.radius))
+                    distance = float(np.linalg.norm(found[0] - here.x))
+                    if along <= SLAB * here.radius and distance <= here.radius:
+                        new, reached = point, distance / here.radius
                         break
-                step *= 0.5
-            if new is None:
+                    joined, reached = meet(here, point, along * here.radius / (here.radius + point.radius))
+                    if joined:
+                        new = point
+                        ahead, behind, apart = self.image(origin.x, point)
+                        closing = -SLAB * point.radius <= behind <= 0.0 and apart <= point.radius
+                        closing = closing and float(here.t @ (ahead - here.x)) > 0.0
+                        break
+                step = min(0.5 * step, ADVANCE * here.radius)
+            if new is None or found is None:
                 reason = "stuck"
                 break
             self.steps += 1
-            self.contraction = max(self.contraction, CONTRACTION * distance / here.radius)
-            x, t, bound, jacobian, _ = new
-            chord = float(np.linalg.norm(x - here.x))
+            self.contraction = max(self.contraction, CONTRACTION * reached)
+            if closing:
+                closure = self.close(origin, ahead, nodes, history)
+                reason = "closed"
+                break
+            x, t, bound, jacobian, _ = found
             turned = float(np.linalg.norm(t - here.t))
-            point = Point(x, t, self.radius(x, jacobian, bound, here.radius), here.s + chord * (1.0 + turned**2 / 24.0))
+            point = replace(new, s=here.s + distance * (1.0 + turned**2 / 24.0))
             nodes.append(point)
+            last_radius = here.radius
             history = [*history[-HISTORY + 1 :], point]
             step *= 2.0
             if self.singular(jacobian, bound):
@@ -370,11 +384,20 @@ class Follower:
         """Whether the smallest singular value, relative to the largest, is (about) below the stated share."""
         return not float(np.linalg.norm(jacobian)) * bound * self.settings.singular < 1.0
 
-    def image(self, x: Array, near: Array) -> Array:
-        """x with whole turns added to its revolute joints, nearest to another point."""
-        turns = np.rint((near - x) / (2.0 * math.pi))
+    def image(self, x: Array, near: Point) -> tuple[Array, float, float]:
+        """x with whole turns added to its revolute joints, nearest to a point; how far ahead of that, how far away."""
+        turns = np.rint((near.x - x) / (2.0 * math.pi))
         shifted: Array = np.where(self.system.revolute, x + 2.0 * math.pi * turns, x)
-        return shifted
+        return shifted, float(near.t @ (shifted - near.x)), float(np.linalg.norm(shifted - near.x))
+
+    def close(self, origin: Point, image: Array, nodes: list[Point], history: list[Point]) -> float:
+        """Append the start, shifted by whole turns, as the last node; how far from it the curve arrives, rad."""
+        here = nodes[-1]
+        along = float(here.t @ (image - here.x))
+        guess = self.predict(history, along)
+        back = self.correct(guess, origin.t, float(origin.t @ image))
+        nodes.append(Point(image, origin.t, origin.radius, here.s + along))
+        return float(np.abs((guess if back is None else back[0]) - image).max())
 
     @staticmethod
     def predict(history: list[Point], step: float) -> Array:
@@ -423,7 +446,7 @@ class Follower:
                 near = slice(start, start + used)
                 guess = hermite_through(nodes[near], along[near], [1.0 / c for c in cosines[near]], float(place))
             found = self.correct(guess, d, float(d @ first.x) + place, loose=True)
-            if found is None or np.linalg.norm(found[0] - nodes[j].x) > nodes[j].radius:
+            if found is None or all(np.linalg.norm(found[0] - each.x) > each.radius for each in nodes[j : j + 2]):
                 if not always:
                     return False
                 found = (guess, d, 0.0, d, 0.0)
@@ -455,7 +478,9 @@ class Follower:
         found = self.correct(between(first, last, d, 0.5), d, float(d @ first.x) + 0.5 * chord)
         if found is None:
             return None
-        return Point(found[0], found[1], first.radius - float(np.linalg.norm(found[0] - first.x)))
+        return Point(
+            found[0], found[1], max(each.radius - float(np.linalg.norm(found[0] - each.x)) for each in (first, last))
+        )
 
     # ---- what is reported --------------------------------------------------------------------------------------
 
@@ -544,6 +569,23 @@ class Follower:
             newton = u - g / (bend * width) if i < n and bend != 0.0 else low
             u = newton if low < newton < high else secant(low, high, g_low, g_high)
         return place, value
+
+
+def meet(first: Point, last: Point, ahead: float) -> tuple[bool, float]:
+    """Whether the arcs of two points' balls meet at a distance along the first one's tangent.
+
+    Returns:
+        whether; and how far from a centre the disc is that has to lie in both balls, of a ball's radius.
+    """
+    disc = 0.5 * CONTRACTION / first.radius * (ahead**2 + (0.5 * CONTRACTION * first.radius) ** 2)
+    gap = first.x + ahead * first.t - last.x
+    square, along, across = float(gap @ gap), float(gap @ last.t), float(gap @ first.t)
+    sideways = math.sqrt(max(square - across**2, 0.0))
+    far = math.sqrt(square + 2.0 * sideways * disc + disc**2)
+    tilt = disc * math.sqrt(max(1.0 - float(first.t @ last.t) ** 2, 0.0))
+    reached = max(math.sqrt(ahead**2 + disc**2) / first.radius, far / last.radius)
+    inside = ahead <= SLAB * first.radius and far <= last.radius
+    return inside and along + tilt < 0.0 and along - tilt >= -SLAB * last.radius, reached
 
 
 def minimum_norm(jacobian: Array, e: Array) -> tuple[Array, float] | None:
