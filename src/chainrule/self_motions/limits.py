@@ -350,14 +350,14 @@ def feasible(
         middles = np.concatenate([(each[1:] + each[:-1]) / 2.0 for each in cuts])
         allowed = _turns(bundle.at(cells, middles * bundle.length[cells])[0], bounds, revolute)
         begin = np.searchsorted(cells, np.arange(len(moving) + 1))
-        parts = [
-            _parts(curve, cuts[k], allowed[begin[k] : begin[k + 1]], bounds, revolute) for k, curve in enumerate(curves)
-        ]
+        limited = np.isfinite(bounds).any(axis=1) & revolute
+        parts = [_parts(curve, cuts[k], allowed[begin[k] : begin[k + 1]], limited) for k, curve in enumerate(curves)]
         spans = np.array([part[:2] for each in parts for part in each]).reshape(-1, 2)
         of = np.repeat(np.arange(len(moving)), [len(each) for each in parts])
-        edges = iter(_edges(bundle, curves, of, spans))
+        edges = _edges(bundle, curves, of, spans)
+        ends = iter(zip(edges, arm.manipulability(edges, task=task), strict=True))
         for k, index in enumerate(moving):
-            every[index] = [_arc(curves[k], grids[k], part, next(edges), index) for part in parts[k]]
+            every[index] = [_arc(curves[k], grids[k], part, *next(ends), index) for part in parts[k]]
     return tuple(part for index in sorted(every) for part in every[index])
 
 
@@ -409,12 +409,11 @@ def _cuts(hits: Array) -> Array:
     return np.concatenate([[0.0], inner[np.diff(inner, prepend=0.0) > SAME], [1.0]])
 
 
-def _parts(component: Component, cuts: Array, allowed: Array, bounds: Array, revolute: Array) -> list[Part]:
+def _parts(component: Component, cuts: Array, allowed: Array, limited: Array) -> list[Part]:
     """What is left of one curve between its cuts, given the whole turns allowed in each cell."""
     if (allowed[..., 0] > allowed[..., 1]).any(axis=1).all():
         return []
-    limited = np.isfinite(bounds).any(axis=1) & revolute
-    winding = np.where(limited, component.winding, 0) if component.closed else np.zeros(len(limited), int)
+    winding = tuple((component.winding * limited).tolist() if component.closed else [0] * len(limited))
     found: list[Part] = []
     widths = np.diff(cuts).tolist()
     for run in _runs(allowed, winding, component.closed):
@@ -431,7 +430,7 @@ def _parts(component: Component, cuts: Array, allowed: Array, bounds: Array, rev
 State = tuple[int, tuple[int, ...]]
 
 
-def _runs(allowed: Array, winding: Array, closed: bool) -> list[list[State]]:
+def _runs(allowed: Array, winding: tuple[int, ...], closed: bool) -> list[list[State]]:
     """Maximal runs through cells (between crossings) and turns of the joints; one that closes repeats its first."""
     cells, waiting = len(allowed), {}
     least, most = allowed[..., 0].tolist(), (allowed[..., 1] + 1).tolist()
@@ -440,17 +439,17 @@ def _runs(allowed: Array, winding: Array, closed: bool) -> list[list[State]]:
         if math.prod(map(len, spans)) * cells > MOST * 16:
             raise InputError("limits: they hold too many combinations of turns; limits of some turns are accepted")
         waiting.update(dict.fromkeys((cell, turns) for turns in product(*spans)))
-    turning, runs = tuple(winding.tolist()), []
+    runs = []
     for heads in (True, False):  # arcs first; what is left goes round
         for state in list(waiting):
-            if state not in waiting or (heads and _next(state, cells, turning, closed, -1) in waiting):
+            if state not in waiting or (heads and _next(state, cells, winding, closed, -1) in waiting):
                 continue
             run: list[State] = []
             following: State | None = state
             while following is not None and following in waiting:
                 del waiting[following]
                 run.append(following)
-                following = _next(following, cells, turning, closed, 1)
+                following = _next(following, cells, winding, closed, 1)
             runs.append([*run, state] if not heads else run)
     return runs
 
@@ -464,8 +463,8 @@ def _next(state: State, cells: int, winding: tuple[int, ...], closed: bool, step
     return cell % cells, tuple(k + step * w for k, w in zip(turns, winding, strict=True))
 
 
-def _reason(component: Component, allowed: Array, winding: Array, run: list[State], last: bool) -> str:
-    beyond = _next(run[-1 if last else 0], len(allowed), tuple(winding.tolist()), component.closed, 1 if last else -1)
+def _reason(component: Component, allowed: Array, winding: tuple[int, ...], run: list[State], last: bool) -> str:
+    beyond = _next(run[-1 if last else 0], len(allowed), winding, component.closed, 1 if last else -1)
     if beyond is None:
         return component.ends[int(last)] if component.ends else "end of the curve"
     cell, turns = beyond
@@ -482,17 +481,17 @@ def _shifted(component: Component, begin: float, end: float, shift: Array) -> Ca
     return lambda s: component.at(begin + (end - begin) * np.asarray(s)) + shift
 
 
-def _arc(component: Component, grid: Grid, part: Part, edges: Array, index: int) -> Component:
-    """A part of a curve as a curve."""
+def _arc(component: Component, grid: Grid, part: Part, edges: Array, heights: Array, index: int) -> Component:
+    """A part of a curve as a curve, given the configurations (2, n) and H (2,) at its ends."""
     begin, end, turns, ends = part
     shift = TURN * np.array(turns, float)
     if not ends:
         box = component.box + shift[:, np.newaxis]
         points = _shifted(component, 0.0, 1.0, shift)
         return replace(component, q=component.q + shift, box=box, of=index, points=points)
-    s, q, h = grid.s[:-1], [edges[:1] + shift], [np.interp([begin % 1.0, end % 1.0], grid.s, grid.h)]
+    s, q, h = grid.s[:-1], [edges[:1] + shift], [heights]
     for r in range(math.floor(begin), math.ceil(end)):
-        inside = slice(*np.searchsorted(s, [np.nextafter(begin - r, 2.0), end - r]))
+        inside = slice(s.searchsorted(begin - r, "right"), s.searchsorted(end - r, "left"))
         q.append(grid.q[inside] + (shift + TURN * r * component.winding))
         h.append(grid.h[inside])
     rows, values = np.concatenate([*q, edges[1:] + shift]), np.concatenate(h)
