@@ -339,3 +339,11 @@ def test_catalogue_is_what_the_manifest_lists():
             assert set(recorded) == {function.name for function in catalogue.functions(model, group)}
             for function in recorded:
                 assert recorded[function]["operations"] == under.kernel(name, group, function).operations
+
+
+def test_a_unit_that_follows_curves_depends_on_the_shared_header() -> None:
+    """Its compiled code is that of the header: a library made from an older one has another digest."""
+    units = under.MANIFEST["units"]
+    for name, unit in units.items():
+        follows = "_continuation_" in name
+        assert ("templates/continuation.h.j2" in unit["inputs"]) == follows, name
