@@ -173,9 +173,13 @@ class Held:
         every = (self.arm.parameters, self.unit, self.links, [self.size])
         return tuple(np.ascontiguousarray(each, float) for each in every)
 
+    @cached_property
+    def _pointers(self) -> tuple[int, ...]:
+        return tuple(each.ctypes.data for each in self._numbers)
+
     def inputs(self, targets: Array, starts: Array | None = None) -> _Inputs:
         """What the compiled functions are given: contiguous targets, one for all or one each, and starts."""
-        parameters, *others = (each.ctypes.data for each in self._numbers)
+        parameters, *others = self._pointers
         shared = targets.ndim == len(target_shape(self.arm, self.task))
         return _Inputs(
             None if starts is None else starts.ctypes.data,
@@ -285,7 +289,7 @@ class Dense:
         """The stored points with every extremum of a joint or of H between them."""
         if self.source is not None:
             grid, sign, shift = self.source[0].monotone, *self.source[1:]
-            return replace(grid, q=grid.q * sign + shift)
+            return Grid(grid.s, grid.q * sign + shift, grid.h, grid.turns)
         assert self.h is not None and self.knots is not None
         joint, at, value = self.knots.T
         n, joint = self.x.shape[1], joint.astype(int)

@@ -415,15 +415,15 @@ def _parts(component: Component, cuts: Array, allowed: Array, limited: Array) ->
         return []
     winding = tuple((component.winding * limited).tolist() if component.closed else [0] * len(limited))
     found: list[Part] = []
-    widths = np.diff(cuts).tolist()
+    places = cuts.tolist()
     for run in _runs(allowed, winding, component.closed):
         turns = run[0][1]
         if run[0] == run[-1] and len(run) > 1:  # round and round
             found.append((0.0, 1.0, turns, ()))
             continue
-        begin = float(cuts[run[0][0]])
+        rounds, last_cut = divmod(run[0][0] + len(run), len(allowed))
         ends = tuple(_reason(component, allowed, winding, run, last) for last in (False, True))
-        found.append((begin, begin + sum(widths[cell] for cell, _ in run), turns, ends))
+        found.append((places[run[0][0]], places[last_cut] + rounds, turns, ends))
     return _distinct(found)
 
 
@@ -495,18 +495,20 @@ def _arc(component: Component, grid: Grid, part: Part, edges: Array, heights: Ar
         q.append(grid.q[inside] + (shift + TURN * r * component.winding))
         h.append(grid.h[inside])
     rows, values = np.concatenate([*q, edges[1:] + shift]), np.concatenate(h)
-    return replace(
-        component,
+    return Component(
         q=rows,
         length=component.length * (end - begin),
         closed=False,
-        winding=np.zeros_like(component.winding),
+        winding=0 * component.winding,
         box=np.array([rows.min(axis=0), rows.max(axis=0)]).T,
         manipulability=(float(values.min()), float(values.max())),
+        residual=component.residual,
         closure=math.nan,
         ends=ends,
+        signs=component.signs,
         of=index,
         span=(begin, end),
+        scale=component.scale,
         points=_shifted(component, begin, end, shift),
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -210,19 +210,21 @@ def _flipped(curve: Component, flip: Flip) -> Component:
     box = np.sort(curve.box * sign[:, np.newaxis] + shift[:, np.newaxis], axis=1)
     points = curve.points
     assert isinstance(points, Dense)  # curves that were followed
-    moved = replace(
-        points,
-        x=points.x * sign + shift,
-        t=points.t * sign,
-        k=points.k * sign,
-        knots=None,
+    moved = Dense(
+        *(points.held, points.target, points.x * sign + shift, points.t * sign, points.k * sign, points.s, points.h),
         source=(points, sign, shift),
     )
-    return replace(
-        curve,
+    return Component(
         q=curve.q * sign + shift,
+        length=curve.length,
+        closed=curve.closed,
         winding=(curve.winding * sign).astype(int),
         box=box,
+        manipulability=curve.manipulability,
+        residual=curve.residual,
+        closure=curve.closure,
+        ends=curve.ends,
         signs=kept_signs(box, points.held.revolute),
+        scale=curve.scale,
         points=moved,
     )
