@@ -432,10 +432,15 @@ State = tuple[int, tuple[int, ...]]
 
 def _runs(allowed: Array, winding: tuple[int, ...], closed: bool) -> list[list[State]]:
     """Maximal runs through cells (between crossings) and turns of the joints; one that closes repeats its first."""
-    cells, waiting = len(allowed), {}
-    least, most = allowed[..., 0].tolist(), (allowed[..., 1] + 1).tolist()
-    for cell in np.flatnonzero((allowed[..., 0] <= allowed[..., 1]).all(axis=1)).tolist():
-        spans = [range(low, high) for low, high in zip(least[cell], most[cell], strict=True)]
+    cells = len(allowed)
+    waiting: dict[State, None] = {}
+    width = allowed[..., 1] - allowed[..., 0]
+    least, one = allowed[..., 0].tolist(), (width == 0).all(axis=1).tolist()
+    for cell in np.flatnonzero((width >= 0).all(axis=1)).tolist():
+        if one[cell]:
+            waiting[cell, tuple(least[cell])] = None
+            continue
+        spans = [range(low, low + more + 1) for low, more in zip(least[cell], width[cell].tolist(), strict=True)]
         if math.prod(map(len, spans)) * cells > MOST * 16:
             raise InputError("limits: they hold too many combinations of turns; limits of some turns are accepted")
         waiting.update(dict.fromkeys((cell, turns) for turns in product(*spans)))
