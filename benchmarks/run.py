@@ -11,7 +11,7 @@ from importlib.metadata import PackageNotFoundError, version
 from itertools import chain
 from typing import Any
 
-from benchmarks import cuspidality, planar, redundancy, self_motion
+from benchmarks import cuspidality, planar, redundancy, self_motion, self_motion_7r
 from benchmarks.breakdown import breakdown
 from benchmarks.cases import MEMORY, TOLERANCE, Array, Case, Contender, Unavailable, cases, disagreement
 from benchmarks.measure import Disagreement, Timing, in_turn, pin_to_one_core
@@ -20,7 +20,7 @@ from benchmarks.startup import startup
 from benchmarks.table import Row
 
 PEERS = ("casadi_peer", "pinocchio_peer", "toolbox_peer", "sympy_peer")
-PACKAGES = ("chainrule", "numpy", "casadi", "pin", "roboticstoolbox-python", "sympy")
+PACKAGES = ("chainrule", "numpy", "casadi", "pin", "roboticstoolbox-python", "ssik", "sympy")
 
 #: Single precision agrees with double to this, relative to 1 or the value, away from singular configurations.
 TOLERANCE_FLOAT = 2e-3
@@ -35,7 +35,13 @@ GENERATED_S, CACHED_S, IMPORT_S = 5.0, 0.05, 0.3
 Progress = Callable[[str], None]
 
 #: Questions by topic; the other topics are ``kernels`` and ``start-up``.
-QUESTIONS = {"planar": planar, "cuspidality": cuspidality, "self-motion": self_motion, "redundancy": redundancy}
+QUESTIONS = {
+    "planar": planar,
+    "cuspidality": cuspidality,
+    "self-motion": self_motion,
+    "self-motion-7r": self_motion_7r,
+    "redundancy": redundancy,
+}
 TOPICS = ("kernels", *QUESTIONS, "start-up")
 
 

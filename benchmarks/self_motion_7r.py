@@ -15,23 +15,30 @@ from benchmarks.planar import Way
 POSTURE, RATIO = (0.1, -0.5, 0.3, -2.0, 0.2, 1.6, 0.4), 100.0
 
 
-def questions() -> Iterator[tuple[str, list[Way], str]]:
-    """Every question: its heading, the ways of answering it, and a note."""
+def questions(batch: int) -> Iterator[tuple[str, list[Way], str]]:
+    """Every question: its heading, the ways of answering it, and a note; one pose each, whatever the batch."""
     for name, prebuilt in (("panda", "franka_panda_ik"), ("iiwa14", "iiwa14_ik")):
         ways, note = loops(name, prebuilt)
         yield f"every self-motion loop of the {name} at a pose, with lengths", ways, note
 
 
 def loops(name: str, prebuilt: str) -> tuple[list[Way], str]:
-    """Ours without and with joint limits, and ssik's sheets where that package is installed."""
+    """Ours with joint limits, which is compared, and without; ssik's sheets where that package is installed.
+
+    ssik's sheets are counted and measured, joint limits not considered.
+    """
     arm = cr.load(name)
     pose = arm.pose(POSTURE)
     found = cr.self_motion(arm, pose)
     if (found.count, found.complete) != (8, "proved"):
         raise Disagreement(f"chainrule finds {found.count} loops of the {name}, {found.complete}; there are 8")
     ways = [
-        Way("chainrule: all loops, lengths, boxes, range of H", 1, lambda: cr.self_motion(arm, pose)),
-        Way("chainrule, arcs within the joint limits too", 1, lambda: cr.self_motion(arm, pose, limits=True)),
+        Way(
+            "chainrule: loops, lengths, boxes, and arcs within limits",
+            1,
+            lambda: cr.self_motion(arm, pose, limits=True),
+        ),
+        Way("chainrule, without limits", 1, lambda: cr.self_motion(arm, pose)),
     ]
     try:
         import ssik

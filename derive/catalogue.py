@@ -35,6 +35,7 @@ from chainrule.derive import (
     self_motion_sweep,
     speed_ratio,
     speed_ratio_4,
+    spherical_joint,
 )
 from chainrule.derive.program import Program, Steps, needed
 from chainrule.description import REGIONAL_3R, REST_TO_REST, Model, planar_model
@@ -217,6 +218,11 @@ def sweep(subject: Subject, make: Callable[[regional_3r.Arm], Program]) -> Progr
     return make(subject.regional) if subject.family is regional_3r else None
 
 
+def spherical(subject: Subject, make: Callable[[], Program]) -> Program | None:
+    """What axes that meet in a point take: of no arm, kept with the general 3R arm, whose wrist they are."""
+    return make() if subject.family is regional_3r else None
+
+
 def continuations(model: Model) -> tuple[str, ...]:
     """Groups with what following a self-motion takes: one for each task with one row less than there are joints."""
     tasks = FAMILIES[model.family][1]
@@ -272,6 +278,7 @@ CATALOGUE: tuple[Entry, ...] = (
         for kind, make in (("redundancy", redundancy_step), ("priority", priority_step))
         for task in ("position", "x_alpha", "pose")
     ),
+    *(Entry("cuspidality", partial(spherical, make=make)) for make in spherical_joint.EVERY),
     Entry("rest_to_rest", lambda s: rest_to_rest.profile()),
     Entry("rest_to_rest", lambda s: rest_to_rest.stretched()),
     Entry("rest_to_rest", lambda s: rest_to_rest.state()),
@@ -334,7 +341,14 @@ def sources(model: Model, group: str) -> tuple[ModuleType, ...]:
             "motion": (planar_motion,),
             "speed_ratio": (ratios,),
             "self_motion": (self_motion_planar_3r,),
-            "cuspidality": (nodes_3r, orthogonal_designs, quartic, regional_postures, self_motion_sweep),
+            "cuspidality": (
+                nodes_3r,
+                orthogonal_designs,
+                quartic,
+                regional_postures,
+                self_motion_sweep,
+                spherical_joint,
+            ),
         }
         return known.get(group, (family,))
     general = [manipulability] if group in tasks else []

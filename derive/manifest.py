@@ -30,6 +30,8 @@ PIPELINE = (
     "chainrule.derive.write",
 )
 UNIT_TEMPLATES = ("templates/kernel.c.j2", "templates/kernel.h.j2", "templates/kernel.inc.j2", "templates/kernel.py.j2")
+#: And a unit that follows curves besides: its compiled code is that of the shared header.
+CURVE_TEMPLATES = ("derive/lobatto.py", "templates/continuation.h.j2")
 SHARED_INPUTS = (
     "derive/lobatto.py",
     "derive/sincos.py",

@@ -34,7 +34,8 @@ def inputs_of(places: Places, model: Model, groups: Iterable[str]) -> tuple[str,
     formulas = records.imported(places, modules)
     # The catalogue imports every derivation; only the ones that this unit uses count.
     pipeline = [name for module in records.PIPELINE for name in records.imported_directly(places, module)]
-    return tuple(sorted({*formulas, *pipeline, *records.UNIT_TEMPLATES}))
+    followed = records.CURVE_TEMPLATES if any(catalogue.curve(model, group) for group in groups) else ()
+    return tuple(sorted({*formulas, *pipeline, *records.UNIT_TEMPLATES, *followed}))
 
 
 def make_unit(

@@ -417,3 +417,9 @@ def one_line(error: BaseException) -> str:
     text = str(error)
     assert text and "\n" not in text and len(text) < 400, text
     return text
+
+
+def crooked_rrpr() -> cr.Arm:
+    """A spatial arm with four joints, one of them a slide: one to spare for holding a position."""
+    rows = [("R", 0.0, 0.0, 0.3, 0.0), ("R", -1.3, 0.1, 0.0, 0.2), ("P", 0.9, 0.2, 0.3, 0.0), ("R", 1.2, 0.1, 0.0, 0.0)]
+    return cr.Arm.from_dh(rows, tool=cr.description.Transform.shift(0.3, 0.1, 0.0), name="crooked_rrpr")

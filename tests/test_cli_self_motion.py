@@ -113,6 +113,39 @@ def test_a_posture_whose_pose_is_held_within_limits(call):
     assert best["value"] >= (np.minimum(-low, high) / ((high - low) / 2)).min()
 
 
+def test_arcs_in_csv_name_their_curve(call, tmp_path):
+    file = tmp_path / "arcs.csv"
+    code, _, err = call("panda", "--at", POSTURE, "--limits", "--csv", file, "--points", 3)
+    assert (code, err) == (0, "")
+    rows = list(csv.DictReader(io.StringIO(file.read_text("ascii"))))
+    assert list(rows[0])[:3] == ["curve", "arc", "s"]
+    arm = cr.load("panda")
+    found = cr.self_motion(arm, arm.pose([float(v) for v in POSTURE.split(",")]), limits=True)
+    assert [(row["curve"], row["arc"]) for row in rows[::3]] == [
+        (str(part.of + 1), str(k + 1)) for k, part in enumerate(found.feasible)
+    ]
+    assert len({row["curve"] for row in rows}) < len({row["arc"] for row in rows})
+
+
+def test_starts_scale_and_gamma_are_passed_on(call):
+    told = json.loads(call("lenarcic_3r", "--target", "0.4,0", "--method", "continuation", "--starts", 9, "--json")[1])
+    assert told["complete"].startswith("9 starts and 9 extremal points")
+    told = json.loads(call("lenarcic_3r", "--target", "0.4,0", "--method", "eigenvector", "--gamma", 0.01, "--json")[1])
+    assert told["components"][0]["length"] == pytest.approx(8.238, abs=0.06)
+    assert told["components"][0]["closure"] > 1e-3
+    code, _, err = call("lenarcic_3r", "--target", "0.4,0", "--method", "continuation", "--scale", 0)
+    assert code == 2 and "scale" in err and "\n" not in err.strip()
+
+
+def test_a_singular_target_near_by(call):
+    code, out, err = call("lenarcic_3r", "--target", "0.38,0", "--singular")
+    assert (code, err) == (0, "")
+    assert "A singular target is 0.08 m away (others may be nearer), at " in out  # 0.3
+    told = json.loads(call("lenarcic_3r", "--target", "0.38,0", "--singular", "--json")[1])
+    assert told["singular"]["target"] == pytest.approx([0.3, 0.0], abs=1e-9)
+    assert call("lenarcic_3r", "--along", "0.1:0.5:3", "--singular")[0] == 2
+
+
 def test_degrees_turn_angles_only(call):
     one = call("lenarcic_3r", "--target", "0.28,60", "--task", "x_alpha", "--deg", "--json")[1]
     two = call("lenarcic_3r", "--target", f"0.28,{math.radians(60)!r}", "--task", "x_alpha", "--json")[1]

@@ -363,3 +363,11 @@ def test_the_test_program_of_an_orthogonal_arm_passes(tmp_path):
     done = run([executable, "test_orthogonal_3r.py"], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
     assert "number_of_postures" in done.stdout
+
+
+def test_a_unit_that_follows_curves_depends_on_the_shared_header() -> None:
+    """Its compiled code is that of the header: a library made from an older one has another digest."""
+    units = under.MANIFEST["units"]
+    for name, unit in units.items():
+        follows = "_continuation_" in name
+        assert ("templates/continuation.h.j2" in unit["inputs"]) == follows, name

@@ -6,8 +6,10 @@ import math
 
 import numpy as np
 import pytest
+from arms_under_test import crooked_rrpr
 
 import chainrule as cr
+from chainrule.cuspidality.normal_form import evaluator
 from chainrule.self_motions.components import searched
 from chainrule.self_motions.continuation import Held, project, start_points, target_of, trace_many
 from chainrule.self_motions.identity import Known
@@ -23,13 +25,12 @@ def arm_of(rows: list[tuple[float, float, float]], name: str) -> cr.Arm:
     return cr.Arm.from_dh([("R", alpha, a, d, 0.0) for alpha, a, d in rows], name=name)
 
 
-#: A spherical wrist on a general arm, one on an arm with parallel axes, one with skew axes, and none at all.
+#: A spherical wrist on a general arm, one on an arm with parallel axes, and one with skew axes.
 WRISTED = [(0.0, 0.0, 0.3), (-1.2, 0.1, 0.05), (0.9, 0.25, 0.1), (1.3, 0.2, 0.15), (-QUARTER, 0.08, 0.4)]
 GENERAL = arm_of([*WRISTED, (QUARTER, 0.0, 0.0), (-QUARTER, 0.0, 0.1)], "general_wrist")
 ELBOWED = [(0.0, 0.0, 0.3), (-QUARTER, 0.1, 0.05), (0.0, 0.35, 0.1), (QUARTER, 0.2, 0.15), (-QUARTER, 0.0, 0.4)]
 PARALLEL = arm_of([*ELBOWED, (QUARTER, 0.0, 0.0), (-QUARTER, 0.0, 0.1)], "parallel_wrist")
 SKEW = arm_of([*WRISTED, (1.0, 0.0, 0.0), (-1.2, 0.0, 0.1)], "skew_wrist")
-NONE = arm_of([*WRISTED, (1.0, 0.05, 0.0), (-1.2, 0.0, 0.1)], "no_wrist")
 
 
 def poses(arm: cr.Arm, count: int, seed: int) -> np.ndarray:
@@ -127,6 +128,41 @@ def test_the_iiwa_has_eight_loops_of_one_length_labelled_by_signs() -> None:
             assert np.ptp(curve.q[:, 3]) < 1e-9
 
 
+def test_flips_of_shoulder_elbow_and_wrist_map_the_loops_onto_one_another() -> None:
+    """(a + pi, -b, c + pi) of three axes in a row: the same pose, and onto another listed loop of the same length."""
+    for arm, firsts in ((IIWA, (0, 2, 4)), (PANDA, (0,))):
+        (pose,) = poses(arm, 1, 9)
+        motion = cr.self_motion(arm, pose)
+        table = known(arm, motion)
+        for first in firsts:
+            partners = []
+            for k, curve in enumerate(motion.components):
+                q = curve.at(np.linspace(0.0, 1.0, 20))
+                q[:, [first, first + 2]] += math.pi
+                q[:, first + 1] *= -1.0
+                np.testing.assert_allclose(arm.pose(q), np.broadcast_to(pose, (20, 4, 4)), atol=1e-12)
+                (other,) = set(table.which(q).tolist())
+                assert other not in (-1, k)
+                assert motion.components[other].length == pytest.approx(curve.length, rel=1e-12)
+                assert motion.components[other].residual < 1e-12
+                partners.append(other)
+            assert sorted(partners) == list(range(motion.count))
+
+
+def test_elbow_angles_are_where_two_points_are_at_the_distance() -> None:
+    rng = np.random.default_rng(18)
+    for _ in range(30):
+        before, behind = rng.normal(size=(2, 3))
+        angle = rng.uniform(-math.pi, math.pi)
+        square = float(((turn(angle) @ behind - before) ** 2).sum())
+        found, share = evaluator("spherical_elbow")(before, behind, np.array([square]))
+        for each in found:
+            assert ((turn(each) @ behind - before) ** 2).sum() == pytest.approx(square, rel=1e-12)
+        assert abs(share[0]) <= 1.0
+        assert np.abs(np.exp(1j * found) - np.exp(1j * angle)).min() < 1e-7
+        assert abs(evaluator("spherical_elbow")(before, behind, np.array([square + 100.0]))[1][0]) > 1.0
+
+
 def test_swivel_postures_hold_the_pose_and_lie_on_the_loops_and_circles() -> None:
     (pose,) = poses(IIWA, 1, 4)
     swivel = Swivel.of(IIWA, pose)
@@ -200,13 +236,31 @@ def test_postures_of_a_swept_joint_are_all_solutions(arm: cr.Arm) -> None:
     assert apart.max() < 1e-6
 
 
-def test_a_general_7r_arm_is_searched_and_says_so() -> None:
-    (pose,) = poses(NONE, 1, 10)
-    found = cr.self_motion(NONE, pose, starts=40)
+def test_an_arm_without_spherical_joints_is_searched_and_says_so() -> None:
+    arm = crooked_rrpr()
+    target = arm.position([0.4, -0.9, 0.15, 1.1])
+    found = cr.self_motion(arm, target, "position", starts=40, scale=0.4)
     assert found.method == "continuation"
-    assert found.complete.startswith("40 starts, last new component at start ")
-    more = cr.self_motion(NONE, pose, starts=120, seed=5)
+    assert found.complete.startswith("40 starts and 40 extremal points of joints, last new component at ")
+    more = cr.self_motion(arm, target, "position", starts=120, seed=5, scale=0.4)
     np.testing.assert_allclose(lengths(found.components), lengths(more.components), rtol=1e-8)
+
+
+def test_extremal_points_are_the_ends_of_the_boxes() -> None:
+    """Of planar 3R arms the extremal values of each joint are known in closed form."""
+    rng = np.random.default_rng(17)
+    for _ in range(5):
+        arm = cr.planar_3r(*rng.uniform(0.2, 1.0, 3))
+        target = arm.position(rng.uniform(-2.0, 2.0, 3))
+        known = cr.self_motion(arm, target)
+        joints = np.repeat([1, 2, 3], 60)
+        q, arrived = project(arm, start_points(arm, 180, 1), target, extremal=joints)
+        np.testing.assert_allclose(arm.position(q[arrived]), np.tile(target, (arrived.sum(), 1)), atol=1e-12)
+        for joint in (1, 2, 3):
+            met = q[arrived & (joints == joint), joint - 1]
+            ends = np.concatenate([c.box[joint - 1] for c in known.components if not c.winding[joint - 1]] or [[]])
+            for end in ends:  # extrema inside a box may be met too
+                assert np.abs(np.exp(1j * met) - np.exp(1j * end)).min() < 1e-8
 
 
 @pytest.mark.parametrize(

@@ -8,54 +8,28 @@ import warnings
 
 import numpy as np
 import pytest
+from arms_under_test import crooked_rrpr
 from scipy.integrate import solve_ivp
 
 import chainrule as cr
 from chainrule.self_motions import continuation, limits, tracing
 from chainrule.self_motions.continuation import Held, Settings, project, target_of, trace, trace_many, traces
 from chainrule.self_motions.eigenvector import eigenvector
+from chainrule.self_motions.identity import Known
 from chainrule.self_motions.planar_3r import planar_self_motion, singular_radii
 from chainrule.self_motions.result import Component
 
 TURN = 2.0 * math.pi
 LENARCIC = (0.40, 0.35, 0.25)
 
-#: Arms of every kind with one joint to spare, a task each, and the length scale of prismatic joints.
+#: Arms of every kind with one joint to spare, a task each, and the length scale of prismatic joints. Three of them are
+#: compiled on first use.
 KINDS: dict[str, tuple[cr.Arm, str, float]] = {
     "RRR": (cr.planar_3r(*LENARCIC), "position", 1.0),
     "RRR x_alpha": (cr.planar_3r(*LENARCIC), "x_alpha", 1.0),
-    "PRR": (cr.planar("PRR", [0.1, 0.5, 0.4], [0.3, 0.0, 0.0]), "position", 0.5),
     "RPR": (cr.planar("RPR", [0.4, 0.2, 0.5], [0.0, 0.7, 0.0]), "position", 0.25),
-    "RRRR pose": (cr.planar("RRRR", [0.5, 0.45, 0.35, 0.2]), "pose", 1.0),
     "RRPR pose": (cr.planar("RRPR", [0.5, 0.45, 0.1, 0.2], [0.0, 0.0, 0.4, 0.0]), "pose", 0.3),
-    "4R in space": (
-        cr.Arm.from_dh(
-            [
-                ("R", 0.1, 0.05, 0.3, 0.0),
-                ("R", -1.4, 0.1, 0.05, 0.2),
-                ("R", 0.9, 0.4, 0.1, -0.3),
-                ("R", 0.5, 0.3, 0.0, 0.0),
-            ],
-            tool=cr.description.Transform.shift(0.25, 0.0, 0.05),
-            name="crooked_4r",
-        ),
-        "position",
-        1.0,
-    ),
-    "RRPR in space": (
-        cr.Arm.from_dh(
-            [
-                ("R", 0.0, 0.0, 0.3, 0.0),
-                ("R", -1.3, 0.1, 0.0, 0.2),
-                ("P", 0.9, 0.2, 0.3, 0.0),
-                ("R", 1.2, 0.1, 0.0, 0.0),
-            ],
-            tool=cr.description.Transform.shift(0.3, 0.1, 0.0),
-            name="crooked_rrpr",
-        ),
-        "position",
-        0.4,
-    ),
+    "RRPR in space": (crooked_rrpr(), "position", 0.4),
     "panda": (cr.load("panda"), "pose", 1.0),
     "iiwa14": (cr.load("iiwa14"), "pose", 1.0),
 }
@@ -109,37 +83,59 @@ def agree(closed: Component, followed: Component, length: float = 1e-9, box: flo
     np.testing.assert_allclose(followed.manipulability, closed.manipulability, rtol=0, atol=1e-9)
 
 
-@pytest.mark.parametrize("task", ["position", "x_alpha"])
-def test_curves_of_planar_3r_arms_are_those_of_the_closed_form(task):
-    """The curve through a point of each closed-form curve: the same length, winding, box and range of H."""
+def both_curves(arm: cr.Arm, task: str, start: np.ndarray, target: np.ndarray) -> tuple[tuple[Component, ...], int]:
+    """The curves through a posture and through its mirror image that does the same, and how many they are."""
+    mirrored = -start
+    if task == "position":  # about the target's direction
+        mirrored[0] += 2.0 * math.atan2(target[1], target[0])
+    else:  # about the x axis, the last link's heading kept
+        mirrored[2] += 2.0 * target[1]
+    found = trace_many(arm, [start, mirrored], task, targets=target)
+    known = Known(Held(arm, task), target)
+    known.add(found[0])
+    return found, 1 if known.which(mirrored[np.newaxis])[0] == 0 else 2
+
+
+def mapped(arms: np.ndarray, targets: np.ndarray, task: str, starts: np.ndarray, length: float, box: float) -> int:
+    """Each arm's followed curves against the closed form of all of them; how many targets are regular."""
+    known = cr.self_motion_map(arms, targets, task)
+    regular = np.flatnonzero(known.words == "regular")
+    for k in regular:
+        found, number = both_curves(cr.planar_3r(*arms[k]), task, starts[k], targets[k])
+        assert number == known.number[k], (arms[k].tolist(), targets[k].tolist())
+        for curve in found:
+            assert curve.closed and curve.residual < 1e-12 and curve.closure < 1e-8
+            assert abs(curve.length - known.length[k]) < length * max(known.length[k], 1e-2)
+            np.testing.assert_allclose(np.diff(curve.box)[:, 0], known.span[k], rtol=0, atol=box)
+    return len(regular)
+
+
+@pytest.mark.parametrize(("task", "count"), [("position", 1500), ("x_alpha", 700)])
+def test_thousands_of_random_planar_arms_have_the_curves_of_the_closed_form(task: str, count: int) -> None:
+    """The same number of curves, lengths to 1e-8, boxes to 1e-9 rad; each arm's target is what a posture does."""
     rng = np.random.default_rng(1)
-    met = 0
-    for _ in range(25):
-        arm = cr.planar_3r(*rng.uniform(0.1, 1.0, 3))
-        target = rng.uniform(-0.7, 0.7, 2) * arm.parameters.sum()
-        known = planar_self_motion(arm, target, task)
-        if known.status != "regular":
-            assert known.status == "unreachable"
-            continue
-        found = trace_many(arm, [each.at(0.37) for each in known.components], task, targets=target)
-        for closed, followed in zip(known.components, found, strict=True):
-            agree(closed, followed)
-            met += 1
-    assert met > 20
+    arms, starts = rng.uniform(0.1, 1.0, (count, 3)), rng.uniform(-math.pi, math.pi, (count, 3))
+    a = np.cumsum(starts, axis=1)
+    x, y = (arms * np.cos(a)).sum(axis=1), (arms * np.sin(a)).sum(axis=1)
+    targets = np.stack([x, y if task == "position" else a[:, 2]], axis=1)
+    assert mapped(arms, targets, task, starts, 1e-8, 1e-9) > 0.99 * count
 
 
-def test_thousands_of_targets_of_one_arm_in_one_call():
-    """A followed curve has the length of a closed-form one (summed there by quadrature in another parameter)."""
-    from chainrule.self_motions.planar_3r import planar_lengths
-
-    arm = cr.planar_3r(*LENARCIC)
-    starts = np.random.default_rng(2).uniform(-3.0, 3.0, (1000, 3))
-    found = trace_many(arm, starts)
-    targets = arm.position(starts)
-    for component, target in zip(found, targets, strict=True):
-        status, lengths = planar_lengths(arm, target)
-        assert status == "regular" and component.closed and component.residual < 1e-12
-        assert component.length == pytest.approx(lengths[0], rel=1e-8)
+def test_random_planar_arms_beside_singular_radii_have_the_curves_of_the_closed_form() -> None:
+    """Gaps of 1e-9 to 1e-2 m on either side: curves that pass within 3e-5 rad of one another, and tiny ones."""
+    rng = np.random.default_rng(2)
+    arms, targets, starts = [], [], []
+    for _ in range(60):
+        lengths = rng.uniform(0.1, 1.0, 3)
+        arm, radii = cr.planar_3r(*lengths), singular_radii(lengths)
+        for radius in radii[radii > 0.02]:
+            target = [radius + rng.choice([-1.0, 1.0]) * 10.0 ** rng.uniform(-9.0, -2.0), 0.0]
+            q, arrived = project(arm, rng.uniform(-3.0, 3.0, (12, 3)), target)
+            if arrived.any():
+                arms, targets = [*arms, lengths], [*targets, target]
+                starts.append(q[np.argmax(arrived)])
+    # a rounding of the target moves the curves, the tighter they turn the more, and so do their ranges
+    assert mapped(np.array(arms), np.array(targets), "position", np.array(starts), 1e-8, 1e-6) > 100
 
 
 @pytest.mark.parametrize("gap", [1e-3, 1e-6, 1e-9])
@@ -149,7 +145,7 @@ def test_no_jump_beside_singular_radii(gap, side):
 
     At gap 1e-9 the branches pass within 3e-5 rad, and a rounding of the target changes the gap by 1e-7 of it.
     """
-    for lengths in (LENARCIC, (0.7, 0.2, 0.55), (0.3, 0.9, 0.5)):
+    for lengths in (LENARCIC, (0.3, 0.9, 0.5)):
         arm = cr.planar_3r(*lengths)
         for radius in singular_radii(lengths):
             target = [radius + side * gap, 0.0]
@@ -233,16 +229,26 @@ def test_kernel_against_numpy(kind):
     arm, task, scale = KINDS[kind]
     held, start = Held(arm, task, scale), starts_of(kind, 1, 6)
     target = target_of(arm, start[0], task)
-    for direction in (1, -1):
-        [c] = traces(held, start, target, Settings(direction))
-        [python] = traces(held, start, target, Settings(direction), compiled=False)
-        assert c.reason == python.reason == "closed"
-        assert abs(c.steps - python.steps) <= 2
-        assert c.s[-1] == pytest.approx(python.s[-1], rel=1e-11)
-        np.testing.assert_allclose(c.box, python.box, rtol=0, atol=1e-10)
-        np.testing.assert_allclose(c.span, python.span, rtol=0, atol=1e-10)
-        assert np.array_equal(c.winding, python.winding)
-        assert c.contraction < 0.9 and python.contraction < 0.9
+    direction = -1 if kind in ("RRR", "panda") else 1
+    [c] = traces(held, start, target, Settings(direction))
+    [python] = traces(held, start, target, Settings(direction), compiled=False)
+    assert c.reason == python.reason == "closed"
+    assert abs(c.steps - python.steps) <= 2
+    assert c.s[-1] == pytest.approx(python.s[-1], rel=1e-11)
+    np.testing.assert_allclose(c.box, python.box, rtol=0, atol=1e-10)
+    np.testing.assert_allclose(c.span, python.span, rtol=0, atol=1e-10)
+    assert np.array_equal(c.winding, python.winding)
+    assert c.contraction < 0.9 and python.contraction < 0.9
+    assert len(c.knots) == len(python.knots)
+    np.testing.assert_allclose(c.knots[:, 2], python.knots[:, 2], rtol=0, atol=1e-10)
+    # and so do corrections of configurations near the curve
+    near = c.q + np.random.default_rng(0).uniform(-1e-4, 1e-4, c.q.shape) * held.unit
+    placed, tangents = held.placed(near, target)
+    by_numpy = near + held.step(near, target)
+    by_numpy += held.step(by_numpy, target)
+    np.testing.assert_allclose(placed, by_numpy + held.step(by_numpy, target), rtol=0, atol=1e-11)
+    null = held.bend(placed)[0] / held.unit
+    np.testing.assert_allclose(tangents, null / np.linalg.norm(null, axis=1, keepdims=True), rtol=0, atol=1e-9)
 
 
 def test_settings_are_the_same_in_both():
@@ -251,7 +257,8 @@ def test_settings_are_the_same_in_both():
     names = {
         "contraction": tracing.CONTRACTION, "slab": tracing.SLAB, "advance": tracing.ADVANCE, "nodes": tracing.NODES,
         "longest_step": tracing.LONGEST, "step_turn": tracing.TURN, "history": tracing.HISTORY,
-        "newton": tracing.NEWTON,
+        "newton": tracing.NEWTON, "settled": tracing.SETTLED, "left": tracing.LEFT, "powers": tracing.POWERS,
+        "parts": tracing.PARTS, "level": tracing.LEVEL, "both": tracing.BOTH,
         "order": tracing.ORDER, "least_turn": tracing.LEAST_TURN, "most_turn": tracing.MOST_TURN,
         "finest": tracing.FINEST, "balls": tracing.BALLS,
     }  # fmt: skip
@@ -302,10 +309,10 @@ def test_within_the_slab_of_a_ball_there_is_one_arc():
     one, other = planar_self_motion(arm, target).components
     held = Held(arm, "position")
     follower = tracing.Follower(held.system(target), Settings())
-    s = np.linspace(0.0, 1.0, 40001)
+    s = np.linspace(0.0, 1.0, 20001)
     mine, theirs = one.at(s), other.at(s)
     least = math.inf
-    for place in np.linspace(0.0, 1.0, 200, endpoint=False):
+    for place in np.linspace(0.0, 1.0, 80, endpoint=False):
         found = follower.correct(one.at(place))
         assert found is not None
         x, t, bound, jacobian, _ = found
@@ -317,12 +324,48 @@ def test_within_the_slab_of_a_ball_there_is_one_arc():
             inside = (distance <= radius) & (np.abs(along) <= tracing.SLAB * radius)
             if own:  # all of one stretch: places along it rise with the places on the curve
                 where = np.sort(along[inside])
-                assert np.diff(where).max(initial=0.0) < 2.0 * one.length / 40000
-                assert np.abs(np.diff(np.sort((s[inside] - place + 0.5) % 1.0))).max() < 3e-5
+                assert np.diff(where).max(initial=0.0) < 2.0 * one.length / 20000
+                assert np.abs(np.diff(np.sort((s[inside] - place + 0.5) % 1.0))).max() < 6e-5
             else:
                 assert not inside.any()
                 least = min(least, distance.min() / radius)
     assert 1.0 < least < 50.0  # the balls come near the other curve, and no nearer
+
+
+def test_two_balls_meet_on_one_curve_only():
+    """Beside a reconnection: arcs said to be one are neighbours on one curve, never on two."""
+    arm, target = cr.planar_3r(*LENARCIC), np.array([0.5 - 1e-4, 0.0])
+    one, other = planar_self_motion(arm, target).components
+    follower = tracing.Follower(Held(arm, "position").system(target), Settings())
+    s = np.linspace(0.0, 1.0, 400, endpoint=False)
+
+    def points(curve: Component) -> list[tracing.Point]:
+        made = []
+        for place in s:
+            x, t, bound, jacobian, _ = follower.correct(curve.at(place))
+            made.append(tracing.Point(x, t, follower.radius(x, jacobian, bound, 0.5)))
+        return made
+
+    mine, theirs = points(one), points(other)
+    met = longest = 0
+    for k, a in enumerate(mine):
+        for points_of, own in ((mine, True), (theirs, False)):
+            for j, b in enumerate(points_of):
+                turned = b.x + TURN * np.rint((a.x - b.x) / TURN)
+                if np.linalg.norm(turned - a.x) > 2.0 * (a.radius + b.radius) or (own and j == k):
+                    continue
+                there = dataclasses.replace(b, x=turned)
+                along = float(a.t @ (turned - a.x))
+                joined, _ = (
+                    tracing.meet(a, there, along * a.radius / (a.radius + b.radius)) if along > 0 else (False, 0)
+                )
+                if joined:
+                    assert own
+                    ahead = (s[j] - s[k]) % 1.0  # the curve runs along its tangents or against them
+                    apart = min(ahead, 1.0 - ahead) * one.length
+                    assert apart < 2.0 * (a.radius + b.radius)
+                    met, longest = met + 1, max(longest, apart / (a.radius + b.radius))
+    assert met > 400 and 0.8 < longest < 1.1
 
 
 def test_without_the_guard_the_same_steps_jump(monkeypatch):
@@ -353,7 +396,7 @@ def beside_singular(seed: int) -> np.ndarray:
     return q + rng.normal(size=7) * 1e-4
 
 
-@pytest.mark.parametrize("seed", [0, 4, 5, 7])
+@pytest.mark.parametrize("seed", [0, 4])
 def test_panda_loops_beside_reconnections(seed):
     """Near singular poses the loop closes, its length is where the integrated tangent returns, from any start."""
     arm, near = cr.load("panda"), beside_singular(seed)
@@ -370,7 +413,7 @@ def test_panda_loops_come_in_pairs_from_any_start():
     """All random starts of one pose lie on few loops, and each length comes twice (sin q2 of either sign)."""
     arm = cr.load("panda")
     aim = arm.pose([0.1, -0.5, 0.3, -2.0, 0.2, 1.6, 0.4])
-    q, arrived = project(arm, continuation.start_points(arm, 300, 11), aim)
+    q, arrived = project(arm, continuation.start_points(arm, 150, 11), aim)
     assert arrived.mean() > 0.5
     loops = trace_many(arm, q[arrived], "pose", targets=aim)
     lengths = np.array([loop.length for loop in loops])
@@ -385,16 +428,22 @@ def test_panda_loops_come_in_pairs_from_any_start():
 # ---- ends ------------------------------------------------------------------------------------------------------
 
 
-def test_an_open_curve_is_followed_both_ways():
-    """PPP: the null vector is constant, the curve a line; it ends at the length asked for, either way."""
-    arm = cr.planar("PPP", [0.1, 0.2, 0.3], [0.4, 1.1, -0.8])
-    found = trace(arm, [0.1, 0.2, 0.3], "position", longest=2.0, scale=0.5)
+def test_a_curve_cut_at_a_length_is_followed_both_ways():
+    """It ends 2 rad from its start on either side; its points lie on the closed curve, as far apart as they say."""
+    arm, start = cr.planar_3r(*LENARCIC), np.array([0.1, 2.0, 1.0])
+    found, whole = trace(arm, start, longest=2.0), trace(arm, start)
     assert not found.closed and len(found.ends) == 2 and all("length" in end for end in found.ends)
-    assert 4.0 <= found.length < 5.1
-    null = arm.null_vector(np.zeros(3), task="position")
-    line = found.q - found.q[0]
-    assert np.abs(line - np.outer(line @ null, null) / (null @ null)).max() < 1e-12
-    assert found.length == pytest.approx(np.linalg.norm(line[-1]) / 0.5, rel=1e-10)
+    assert 4.0 <= found.length < 5.1 < whole.length
+    known = Known(Held(arm, "position"), arm.position(start))
+    known.add(whole)
+    fine = found.at(np.linspace(0.0, 1.0, 20001))
+    assert (known.which(fine[::100]) == 0).all()
+    chords = np.linalg.norm(np.diff(fine, axis=0), axis=1)
+    assert chords.sum() == pytest.approx(found.length, rel=1e-7)
+    before = chords[: int(np.argmin(np.linalg.norm(fine - start, axis=1)))].sum()
+    assert 2.0 <= before < 2.6 and 2.0 <= found.length - before < 2.6
+    assert found.box[:, 0] == pytest.approx(fine.min(axis=0), abs=1e-7)
+    assert found.box[:, 1] == pytest.approx(fine.max(axis=0), abs=1e-7)
 
 
 def test_steps_run_out():
@@ -455,7 +504,7 @@ def test_arcs_and_their_complement_make_the_loop():
             assert sum(sides) == pytest.approx(loop.length, rel=1e-10)
 
 
-@pytest.mark.parametrize("kind", ["RRR", "PRR", "4R in space", "panda"])
+@pytest.mark.parametrize("kind", ["RRR", "RPR", "RRPR in space", "panda"])
 def test_a_stop_that_is_grazed_is_met(kind):
     """An upper stop 1e-9 below the greatest value of a joint cuts a small piece out; one 1e-9 above cuts nothing."""
     arm, task, scale = KINDS[kind]

@@ -119,6 +119,48 @@ def test_what_the_best_posture_refuses() -> None:
         cr.best_posture(ARM.with_limits(position=[(0.0, 0.1)] * 3), [0.25, 0.0])
 
 
+# ---- the nearest singular target ------------------------------------------------------------------------------------
+
+
+def test_the_nearest_singular_target_of_planar_arms_is_the_nearest_singular_radius() -> None:
+    rng, met = np.random.default_rng(31), 0
+    for _ in range(15):
+        arm = cr.planar_3r(*rng.uniform(0.1, 1.0, 3))
+        motion = cr.self_motion(arm, rng.uniform(-0.7, 0.7, 2) * arm.parameters.sum())
+        if motion.status != "regular":
+            continue
+        near = cr.nearest_singular(arm, motion)
+        assert near.distance == pytest.approx(motion.to_singular, abs=1e-9)  # from the lengths, in closed form
+        assert np.linalg.norm(near.target - motion.target) == pytest.approx(near.distance, abs=1e-9)
+        assert np.linalg.svd(arm.jacobian(near.q, task="position"), compute_uv=False)[1] < 1e-8
+        np.testing.assert_allclose(arm.position(near.q), near.target, atol=1e-12)
+        met += 1
+    assert met >= 10
+
+
+def test_towards_a_singular_target_of_the_panda_its_curves_come_to_a_singular_posture() -> None:
+    motion = cr.self_motion(PANDA, PANDA.pose(READY))
+    near = cr.nearest_singular(PANDA, motion)
+    assert np.linalg.svd(PANDA.jacobian(near.q), compute_uv=False)[-1] < 1e-8
+    shift = near.target[:3, 3] - motion.target[:3, 3]
+    turn = near.target[:3, :3] @ motion.target[:3, :3].T
+    sine = np.linalg.norm([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]]) / 2.0
+    assert near.distance == pytest.approx(math.hypot(np.linalg.norm(shift), near.length * sine), rel=1e-9)
+    assert near.distance < 0.02 and near.manipulability == min(c.manipulability[0] for c in motion.components)
+    from scipy.spatial.transform import Rotation
+
+    least = [near.manipulability]
+    for share in (0.9, 0.999):
+        pose = motion.target.copy()
+        pose[:3, 3] += share * shift
+        pose[:3, :3] = Rotation.from_rotvec(share * Rotation.from_matrix(turn).as_rotvec()).as_matrix() @ pose[:3, :3]
+        least.append(min(c.manipulability[0] for c in cr.self_motion(PANDA, pose).components))
+    assert least[0] > 2.0 * least[1] > 4.0 * least[2]
+    with pytest.raises(cr.InputError, match="no posture reaches"):
+        cr.nearest_singular(ARM, [4.0, 0.0])
+    json.dumps(near.to_dict(), allow_nan=False)
+
+
 # ---- along a path ------------------------------------------------------------------------------------------------
 
 
@@ -144,6 +186,48 @@ def test_two_crossings_between_neighbouring_targets_are_seen_in_the_plane() -> N
     assert along.count.tolist() == [1, 1]
     assert [change.kind for change in along.changes] == ["split", "merge"]
     assert not along.followable
+
+
+def test_a_path_in_closed_form_is_the_one_that_points_take() -> None:
+    """Random arms and straight paths: the same counts, changes and labels as by moving points from target to target."""
+    rng, kinds = np.random.default_rng(21), []
+    for _ in range(4):
+        arm = cr.planar_3r(*rng.uniform(0.15, 1.0, 3))
+        targets = rng.uniform(-0.8, 0.8, (2, 2)) * arm.parameters.sum()
+        quick = cr.self_motion_along(arm, targets)
+        walked = cr.self_motion_along(arm, targets, method="continuation", starts=8, tolerance=0.02)
+        assert quick.count.tolist() == walked.count.tolist()
+        np.testing.assert_allclose(quick.length, walked.length, rtol=1e-8)
+        assert quick.families == walked.families
+        assert [change.kind for change in quick.changes] == [change.kind for change in walked.changes]
+        assert [motion.count for motion in quick.motions] == quick.count.tolist()
+        kinds += [change.kind for change in quick.changes]
+    assert {"split", "merge"} <= set(kinds)
+
+
+def test_a_path_within_limits_is_followed_on_arcs() -> None:
+    """A posture moved on in small steps stays within the limits on an arc that keeps its label, to the path's end."""
+    arm = cr.planar_3r(0.5, 0.4, 0.3).with_limits(position=[(-2.5, 2.5), (-2.0, 2.2), (-1.8, 2.4)])
+    targets = np.array([[0.72, 0.0], [0.735, -0.05], [0.75, -0.1]])
+    along = cr.self_motion_along(arm, targets, limits=True, tolerance=1e-3)
+    assert along.count.tolist() == [len(motion.arcs) for motion in along.motions]
+    assert along.followable and along.count.tolist() == [3, 3, 3]
+    low, high = arm.limits.position.T
+    for label in along.families:
+        arc = along.motions[0].arcs[along.labels[0].index(label)]
+        q = arc.at(0.5)
+        fine = np.concatenate([np.linspace(a, b, 60) for a, b in pairwise(targets)])
+        for target in fine:
+            for _ in range(4):
+                q = q - np.linalg.pinv(arm.jacobian(q, task="position")) @ (arm.position(q) - target)
+            assert (q > low).all() and (q < high).all()
+        last = along.motions[-1].arcs
+        apart = [np.linalg.norm(each.at(np.linspace(0.0, 1.0, 4001)) - q, axis=1).min() for each in last]
+        assert along.labels[-1][int(np.argmin(apart))] == label and min(apart) < 3e-3
+    tight = arm.with_limits(position=[(-0.2, 0.2), (0.5, 1.0), (0.2, 0.6)])
+    nothing = cr.self_motion_along(tight, [tight.position([0.0, 0.8, 0.4]), [0.1, 0.1]], limits=True, tolerance=1e-3)
+    assert nothing.count.tolist()[0] == 1 and nothing.count.tolist()[1] == 0
+    assert [change.kind for change in nothing.changes][-1] == "vanish" and not nothing.followable
 
 
 def test_within_a_region_all_families_go_on() -> None:

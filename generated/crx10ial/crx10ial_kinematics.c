@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs e42ab2b46913ed02acd2cee3df3c872cf42841be61d15e62d376784c31f92577.
+ * Made from templates/kernel.c.j2; inputs 0ca9e3d3c7ecdb68ad7fe68828cb1e8c2c7e7c1aced2512b6c9d387632b52cc9.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "e42ab2b46913ed02acd2cee3df3c872cf42841be61d15e62d376784c31f92577";
+const char crx10ial_kinematics_digest[] = "0ca9e3d3c7ecdb68ad7fe68828cb1e8c2c7e7c1aced2512b6c9d387632b52cc9";
 #endif
 
 #define LANES 64

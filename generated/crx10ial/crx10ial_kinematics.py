@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e42ab2b46913ed02acd2cee3df3c872cf42841be61d15e62d376784c31f92577.
+Made from templates/kernel.py.j2; inputs 0ca9e3d3c7ecdb68ad7fe68828cb1e8c2c7e7c1aced2512b6c9d387632b52cc9.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

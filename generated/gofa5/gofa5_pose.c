@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs d01a422d3dfe2e346c8f0f8cb6cafae54aca894c8752ca6aa30032028f81eaa4.
+ * Made from templates/kernel.c.j2; inputs 0408f47b0493118dc67abaf5af29f59ba79608164b068df172156bf9ea7f4bfb.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "d01a422d3dfe2e346c8f0f8cb6cafae54aca894c8752ca6aa30032028f81eaa4";
+const char gofa5_pose_digest[] = "0408f47b0493118dc67abaf5af29f59ba79608164b068df172156bf9ea7f4bfb";
 #endif
 
 #define LANES 64

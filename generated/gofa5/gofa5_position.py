@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d01a422d3dfe2e346c8f0f8cb6cafae54aca894c8752ca6aa30032028f81eaa4.
+Made from templates/kernel.py.j2; inputs 0408f47b0493118dc67abaf5af29f59ba79608164b068df172156bf9ea7f4bfb.
 1045 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

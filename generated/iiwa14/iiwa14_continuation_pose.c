@@ -1,10 +1,11 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 346a6fe1c42c473b657bb2b7a5955fda556eada472733275d449dc9cd65b1e08.
+ * Made from templates/kernel.c.j2; inputs e691086f5edea9f9109e3c235a0b64ae4198ef54a109c598c12c83ae16fa8a24.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #ifndef CHAINRULE_FLOAT
 #define CHAINRULE_FOLLOWS
+#define CHAINRULE_JOINTS 7
 #endif
 #include "iiwa14_continuation_pose.h"
 
@@ -12,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "346a6fe1c42c473b657bb2b7a5955fda556eada472733275d449dc9cd65b1e08";
+const char iiwa14_continuation_pose_digest[] = "e691086f5edea9f9109e3c235a0b64ae4198ef54a109c598c12c83ae16fa8a24";
 #endif
 
 #define LANES 32
@@ -104,19 +105,29 @@ static void iiwa14_continuation_pose_turning(const chainrule_curve *curve, const
     iiwa14_continuation_pose_bending_one(q, null_vector, bending);
 }
 
+static void iiwa14_continuation_pose_curve(chainrule_curve *curve)
+{
+    memset(curve, 0, sizeof *curve);
+    curve->positions = 3; /* the first rows are lengths */
+    curve->whole = 1; /* and all of the tip's velocity */
+    curve->spatial = 1;
+    curve->kinds = "RRRRRRR";
+    curve->held = iiwa14_continuation_pose_held;
+    curve->bending = iiwa14_continuation_pose_turning;
+}
+
 ptrdiff_t iiwa14_continuation_pose_follow(ptrdiff_t count, const chainrule_curve_inputs *inputs, const chainrule_curve_settings *settings,
-    ptrdiff_t room, double *points, double *boxes, chainrule_curve_result *results)
+    chainrule_curve_room *room, double *boxes, chainrule_curve_result *results)
 {
     chainrule_curve curve;
-    memset(&curve, 0, sizeof curve);
-    curve.joints = 7;
-    curve.rows = 6;
-    curve.positions = 3; /* the first rows are lengths */
-    curve.whole = 1; /* and all of the tip's velocity */
-    curve.spatial = 1;
-    curve.kinds = "RRRRRRR";
-    curve.held = iiwa14_continuation_pose_held;
-    curve.bending = iiwa14_continuation_pose_turning;
-    return chainrule_follow_all(&curve, count, inputs, settings, room, points, boxes, results);
+    iiwa14_continuation_pose_curve(&curve);
+    return chainrule_follow_all(&curve, count, inputs, settings, room, boxes, results);
+}
+
+void iiwa14_continuation_pose_correct(ptrdiff_t count, const chainrule_curve_inputs *inputs, int times, double *q, double *tangents)
+{
+    chainrule_curve curve;
+    iiwa14_continuation_pose_curve(&curve);
+    chainrule_correct_all(&curve, count, inputs, times, q, tangents);
 }
 #endif

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 346a6fe1c42c473b657bb2b7a5955fda556eada472733275d449dc9cd65b1e08.
+Made from templates/kernel.py.j2; inputs e691086f5edea9f9109e3c235a0b64ae4198ef54a109c598c12c83ae16fa8a24.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

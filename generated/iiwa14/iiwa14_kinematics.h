@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs a3f93d8b123bb3b8cdb98089787d4061f8ca422fa030215c38825f57920eef60.
+ * Made from templates/kernel.h.j2; inputs 81246f4d0d4590f1ff184f186f9f68c98d6b2a96ee106d6e3e434d23a42398f3.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 00b66b82898619b1cbf7f06e698fb892bec6e6adce7b707d72603b7a12ae81fc.
+Made from templates/kernel.py.j2; inputs c42e2b7724f929aa9ca5ec5cf46cf6ab29d756b29f7e2c2770c6f647cfd760f3.
 1726 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs eb8f5a07d0dfb3856f89b4f8bbc2c5baa16046eb02870032863ef077833ee4c5.
+ * Made from templates/kernel.h.j2; inputs 2082e1b41ff091bbbd78cb484540758bb61072ca247c80edba0a5d3f31a2e5ff.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

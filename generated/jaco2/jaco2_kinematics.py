@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs eb8f5a07d0dfb3856f89b4f8bbc2c5baa16046eb02870032863ef077833ee4c5.
+Made from templates/kernel.py.j2; inputs 2082e1b41ff091bbbd78cb484540758bb61072ca247c80edba0a5d3f31a2e5ff.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

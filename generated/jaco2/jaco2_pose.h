@@ -1,5 +1,5 @@
 /* jaco2_pose.h: manipulability (pose) of jaco2.
- * Made from templates/kernel.h.j2; inputs d64b9d1279319476a6729d8f33652d68f96dc3485317c96cb9548fde3c02161c.
+ * Made from templates/kernel.h.j2; inputs 1a7bbc4ac4b61c1646fc1cedc3c4b6933af63fce27308a34c06cf43f60ee9525.
  * 624 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 04410ad3a9252c97206e93fb23a91ea42b24d86e92c591f3ff3c546dbfea5310.
+ * Made from templates/kernel.h.j2; inputs 8fbc719f1301790d41f64479704a42f27088b39f68c3e7117246f0e98408aeaa.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 04410ad3a9252c97206e93fb23a91ea42b24d86e92c591f3ff3c546dbfea5310.
+Made from templates/kernel.py.j2; inputs 8fbc719f1301790d41f64479704a42f27088b39f68c3e7117246f0e98408aeaa.
 56 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b541b52f0b28d5b3d2b7c2b2d290fdc1cdd12c71e758c6be2d620e1c93ee0734.
+Made from templates/kernel.py.j2; inputs 3fa094b31f0bec6472e315c5bd9f7aa92282860fe425c821941c91b15c02d66c.
 707 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2fe6e815d87445e6eccabc5ef130cfae249ab3eeaee4b0ca51ffdd6005c18e91.
+Made from templates/kernel.py.j2; inputs e17681c9784e4e98cf83f08ab16f5279bf6c0823d16a219190d86306f0f4e88c.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

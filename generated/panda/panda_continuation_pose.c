@@ -1,10 +1,11 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs 87dad97640ce36dd7e44d806730bc4dddfb7c713afeee6082bf35cab217c515d.
+ * Made from templates/kernel.c.j2; inputs fc1f183a9cf06e28c1ccffc7b40381f90c73e18aca85f5f65e163b6a37ef041d.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #ifndef CHAINRULE_FLOAT
 #define CHAINRULE_FOLLOWS
+#define CHAINRULE_JOINTS 7
 #endif
 #include "panda_continuation_pose.h"
 
@@ -12,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "87dad97640ce36dd7e44d806730bc4dddfb7c713afeee6082bf35cab217c515d";
+const char panda_continuation_pose_digest[] = "fc1f183a9cf06e28c1ccffc7b40381f90c73e18aca85f5f65e163b6a37ef041d";
 #endif
 
 #define LANES 32
@@ -104,19 +105,29 @@ static void panda_continuation_pose_turning(const chainrule_curve *curve, const 
     panda_continuation_pose_bending_one(q, null_vector, bending);
 }
 
+static void panda_continuation_pose_curve(chainrule_curve *curve)
+{
+    memset(curve, 0, sizeof *curve);
+    curve->positions = 3; /* the first rows are lengths */
+    curve->whole = 1; /* and all of the tip's velocity */
+    curve->spatial = 1;
+    curve->kinds = "RRRRRRR";
+    curve->held = panda_continuation_pose_held;
+    curve->bending = panda_continuation_pose_turning;
+}
+
 ptrdiff_t panda_continuation_pose_follow(ptrdiff_t count, const chainrule_curve_inputs *inputs, const chainrule_curve_settings *settings,
-    ptrdiff_t room, double *points, double *boxes, chainrule_curve_result *results)
+    chainrule_curve_room *room, double *boxes, chainrule_curve_result *results)
 {
     chainrule_curve curve;
-    memset(&curve, 0, sizeof curve);
-    curve.joints = 7;
-    curve.rows = 6;
-    curve.positions = 3; /* the first rows are lengths */
-    curve.whole = 1; /* and all of the tip's velocity */
-    curve.spatial = 1;
-    curve.kinds = "RRRRRRR";
-    curve.held = panda_continuation_pose_held;
-    curve.bending = panda_continuation_pose_turning;
-    return chainrule_follow_all(&curve, count, inputs, settings, room, points, boxes, results);
+    panda_continuation_pose_curve(&curve);
+    return chainrule_follow_all(&curve, count, inputs, settings, room, boxes, results);
+}
+
+void panda_continuation_pose_correct(ptrdiff_t count, const chainrule_curve_inputs *inputs, int times, double *q, double *tangents)
+{
+    chainrule_curve curve;
+    panda_continuation_pose_curve(&curve);
+    chainrule_correct_all(&curve, count, inputs, times, q, tangents);
 }
 #endif

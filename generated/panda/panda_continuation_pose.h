@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs 87dad97640ce36dd7e44d806730bc4dddfb7c713afeee6082bf35cab217c515d.
+ * Made from templates/kernel.h.j2; inputs fc1f183a9cf06e28c1ccffc7b40381f90c73e18aca85f5f65e163b6a37ef041d.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
@@ -46,11 +46,15 @@ void panda_continuation_pose_bendingf(const float *q, float *null_vector, float 
 void panda_continuation_pose_bending_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* The curves on which the pose is held, from a start each (chainrule_continuation.h says how).
- *   in   inputs (starts[count][7], targets, units, links, sizes), settings, room (for so many points)
- *   out  points[room][24] (per point x, dx/ds, d2x/ds2, s, H, dH/ds; curve after curve), boxes[count][7][2], results[count]
+ *   in   inputs (starts[count][7], targets, units, links, sizes), settings
+ *   out  room (points and extrema, curve after curve), boxes[count][7][2], results[count]
  * Returns how many curves were followed; less than count where there was no room for the next one. */
 ptrdiff_t panda_continuation_pose_follow(ptrdiff_t count, const chainrule_curve_inputs *inputs, const chainrule_curve_settings *settings,
-    ptrdiff_t room, double *points, double *boxes, chainrule_curve_result *results);
+    chainrule_curve_room *room, double *boxes, chainrule_curve_result *results);
+
+/* Configurations q[count][7] near such curves moved onto them by Newton's method, the shortest way, some times; with unit
+ * tangents[count][7] (of joints over units) there. `inputs` as above, without starts. */
+void panda_continuation_pose_correct(ptrdiff_t count, const chainrule_curve_inputs *inputs, int times, double *q, double *tangents);
 
 #ifdef __cplusplus
 }

@@ -1,6 +1,6 @@
 """continuation pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 87dad97640ce36dd7e44d806730bc4dddfb7c713afeee6082bf35cab217c515d.
+Made from templates/kernel.py.j2; inputs fc1f183a9cf06e28c1ccffc7b40381f90c73e18aca85f5f65e163b6a37ef041d.
 911 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

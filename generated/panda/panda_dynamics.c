@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs c6afafe7d3686f2af7d5d90756dbb9b340df8872b02900fde56f743590a887fb.
+ * Made from templates/kernel.c.j2; inputs 61b916433ea9a137992c4d8df8506d6a03add2f8291482561227bee109714342.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "c6afafe7d3686f2af7d5d90756dbb9b340df8872b02900fde56f743590a887fb";
+const char panda_dynamics_digest[] = "61b916433ea9a137992c4d8df8506d6a03add2f8291482561227bee109714342";
 #endif
 
 #define LANES 32

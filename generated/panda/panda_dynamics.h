@@ -1,5 +1,5 @@
 /* panda_dynamics.h: dynamics of panda.
- * Made from templates/kernel.h.j2; inputs c6afafe7d3686f2af7d5d90756dbb9b340df8872b02900fde56f743590a887fb.
+ * Made from templates/kernel.h.j2; inputs 61b916433ea9a137992c4d8df8506d6a03add2f8291482561227bee109714342.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

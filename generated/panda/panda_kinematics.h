@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs cbf7888147f8a95dd86461832d7b727f7833341a83d42e9b3edcacee2334d415.
+ * Made from templates/kernel.h.j2; inputs 21591805b949de8b38c9ef703e2ff8ff48d0f1747857461ec37331dc153b9d39.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

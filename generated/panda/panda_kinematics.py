@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cbf7888147f8a95dd86461832d7b727f7833341a83d42e9b3edcacee2334d415.
+Made from templates/kernel.py.j2; inputs 21591805b949de8b38c9ef703e2ff8ff48d0f1747857461ec37331dc153b9d39.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

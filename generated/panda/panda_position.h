@@ -1,5 +1,5 @@
 /* panda_position.h: manipulability (position) of panda.
- * Made from templates/kernel.h.j2; inputs d574154ddf95c512446c34384cbabf4c11dae7fbe9fcb5fe2d9fefb2c3f09509.
+ * Made from templates/kernel.h.j2; inputs 58c5ebdf1761774d50da2314f7fe244ae314b7c152bfac6240c393bce4d613cf.
  * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d574154ddf95c512446c34384cbabf4c11dae7fbe9fcb5fe2d9fefb2c3f09509.
+Made from templates/kernel.py.j2; inputs 58c5ebdf1761774d50da2314f7fe244ae314b7c152bfac6240c393bce4d613cf.
 1522 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

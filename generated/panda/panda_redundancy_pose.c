@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs bac75b9639f25f543b9f617cd9ece3c9cfe15a12eee23cf70114e1dd54a6a654.
+ * Made from templates/kernel.c.j2; inputs 26b3f792511bc01537a5bf53594b167d87cea4be2c2a1298c2544a750e1afb9f.
  * 2639 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "bac75b9639f25f543b9f617cd9ece3c9cfe15a12eee23cf70114e1dd54a6a654";
+const char panda_redundancy_pose_digest[] = "26b3f792511bc01537a5bf53594b167d87cea4be2c2a1298c2544a750e1afb9f";
 #endif
 
 #define LANES 16

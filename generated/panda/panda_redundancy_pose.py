@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bac75b9639f25f543b9f617cd9ece3c9cfe15a12eee23cf70114e1dd54a6a654.
+Made from templates/kernel.py.j2; inputs 26b3f792511bc01537a5bf53594b167d87cea4be2c2a1298c2544a750e1afb9f.
 2639 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

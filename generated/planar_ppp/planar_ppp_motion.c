@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 44730bee6429a966e4bdbbd4c256ab72a01326258afc82c0182547381772c4fa.
+ * Made from templates/kernel.c.j2; inputs 6fcb0a7067dcf6e9971bc6770e907b920f9ea0ba6cc9f2c542b15169387f4a8d.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "44730bee6429a966e4bdbbd4c256ab72a01326258afc82c0182547381772c4fa";
+const char planar_ppp_motion_digest[] = "6fcb0a7067dcf6e9971bc6770e907b920f9ea0ba6cc9f2c542b15169387f4a8d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs ac64fe7524556462d4c187110e305d848442196f925285b668f647472804d55a.
+ * Made from templates/kernel.h.j2; inputs 277e3478ef80b3484ef308da712099c2b628caa7e82300d542eab7bd049f5ca2.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

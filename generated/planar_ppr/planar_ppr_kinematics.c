@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs eb5928cd2b8731f9f6703115ef6e2f1a8b9cfc8f90a24875180184ddfd5f8033.
+ * Made from templates/kernel.c.j2; inputs e51e448960a8ddd31b673bca1fc13c416d5a1b352f2883efb921b22842645374.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "eb5928cd2b8731f9f6703115ef6e2f1a8b9cfc8f90a24875180184ddfd5f8033";
+const char planar_ppr_kinematics_digest[] = "e51e448960a8ddd31b673bca1fc13c416d5a1b352f2883efb921b22842645374";
 #endif
 
 #define LANES 64

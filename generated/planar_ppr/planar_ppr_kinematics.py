@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs eb5928cd2b8731f9f6703115ef6e2f1a8b9cfc8f90a24875180184ddfd5f8033.
+Made from templates/kernel.py.j2; inputs e51e448960a8ddd31b673bca1fc13c416d5a1b352f2883efb921b22842645374.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs bee0fe82d68d5afebd41db8057f1d10f4012c912ea271b0e576cb68ea94ecbfa.
+ * Made from templates/kernel.c.j2; inputs bc703fa4bd7ca47fd2a8814445fc7a77aa2a46379d7f5df400eaedce7a8b2d70.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "bee0fe82d68d5afebd41db8057f1d10f4012c912ea271b0e576cb68ea94ecbfa";
+const char planar_ppr_motion_digest[] = "bc703fa4bd7ca47fd2a8814445fc7a77aa2a46379d7f5df400eaedce7a8b2d70";
 #endif
 
 #define LANES 64

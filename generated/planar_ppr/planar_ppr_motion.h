@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs bee0fe82d68d5afebd41db8057f1d10f4012c912ea271b0e576cb68ea94ecbfa.
+ * Made from templates/kernel.h.j2; inputs bc703fa4bd7ca47fd2a8814445fc7a77aa2a46379d7f5df400eaedce7a8b2d70.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

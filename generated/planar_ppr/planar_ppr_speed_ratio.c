@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs d0b86b318d4420a132d0c5b6d67429443766b5f7657ba992dc7c90684fe99229.
+ * Made from templates/kernel.c.j2; inputs 6f076e97c4c5045afb8fd57205fb9439b7294258ac708124f2dd4202944fc1cb.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "d0b86b318d4420a132d0c5b6d67429443766b5f7657ba992dc7c90684fe99229";
+const char planar_ppr_speed_ratio_digest[] = "6f076e97c4c5045afb8fd57205fb9439b7294258ac708124f2dd4202944fc1cb";
 #endif
 
 #define LANES 64

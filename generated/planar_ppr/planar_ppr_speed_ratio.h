@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs d0b86b318d4420a132d0c5b6d67429443766b5f7657ba992dc7c90684fe99229.
+ * Made from templates/kernel.h.j2; inputs 6f076e97c4c5045afb8fd57205fb9439b7294258ac708124f2dd4202944fc1cb.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8795f9808470993e62cd6999d37976836b3a612e0fb909988ec77abc0fa7a9ea.
+Made from templates/kernel.py.j2; inputs a07ef99dc33c387f71a89959f78364c6ece2ef80a35ae3b3a57fbb19d5151128.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0d469808596febe3917b300f7e1ec7252fd0b331b540d5a20f4857d0c3a939f9.
+Made from templates/kernel.py.j2; inputs 3529a6ce900fde39c1c5a42a37cf1aa7937dd572aa67dfc2caba3206b1849098.
 232 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs 245e8dc6a345c2b226dbb0dcb0b297a46db16003738c1d49a9ad6923aaa586df.
+ * Made from templates/kernel.h.j2; inputs e081515921fda1dc6a077319b7450a566f00b87d80cbab7cc479805289153acf.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

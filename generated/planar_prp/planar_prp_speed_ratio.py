@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 245e8dc6a345c2b226dbb0dcb0b297a46db16003738c1d49a9ad6923aaa586df.
+Made from templates/kernel.py.j2; inputs e081515921fda1dc6a077319b7450a566f00b87d80cbab7cc479805289153acf.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs a4f01e044da46c30f37ecebf4158531bf214d5235e8b0e0fddd31733fec4fe77.
+ * Made from templates/kernel.h.j2; inputs 9a29ed3ad456714d9107c263f5ff8feced91c2f5e9c5b3861fc0804a3311f4a1.
  * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 8376cd42282ead92973c6851449871a342aafa42ba9def934c6d5a66dfbde45d.
+ * Made from templates/kernel.c.j2; inputs fcfa29e2bdcb6237cf1ccb43844bf2feea53584d372f24b8c5441392c8bd819e.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "8376cd42282ead92973c6851449871a342aafa42ba9def934c6d5a66dfbde45d";
+const char planar_prr_speed_ratio_digest[] = "fcfa29e2bdcb6237cf1ccb43844bf2feea53584d372f24b8c5441392c8bd819e";
 #endif
 
 #define LANES 64

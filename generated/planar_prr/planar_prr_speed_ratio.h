@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.h: speed ratio of planar_prr.
- * Made from templates/kernel.h.j2; inputs 8376cd42282ead92973c6851449871a342aafa42ba9def934c6d5a66dfbde45d.
+ * Made from templates/kernel.h.j2; inputs fcfa29e2bdcb6237cf1ccb43844bf2feea53584d372f24b8c5441392c8bd819e.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

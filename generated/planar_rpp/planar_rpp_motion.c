@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 39dfbff3b6103e2b5751592c4edfe7c62d05a615c128301dcad2fcdcd15df9ed.
+ * Made from templates/kernel.c.j2; inputs aa30779f35b5d25da08cac9aa7ab4ba6549b9c0ef6efe232e65c95bc252bc87f.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "39dfbff3b6103e2b5751592c4edfe7c62d05a615c128301dcad2fcdcd15df9ed";
+const char planar_rpp_motion_digest[] = "aa30779f35b5d25da08cac9aa7ab4ba6549b9c0ef6efe232e65c95bc252bc87f";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 6fd731e3335a4bffbf128dab57a732fbe8f9cd8480dd4286b8639a1b867ea2cd.
+ * Made from templates/kernel.c.j2; inputs c3b1d33474f13e1c03f34658ac6062b51ee07d29bbf004a1dbf9742cc8359fb7.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "6fd731e3335a4bffbf128dab57a732fbe8f9cd8480dd4286b8639a1b867ea2cd";
+const char planar_rpp_speed_ratio_digest[] = "c3b1d33474f13e1c03f34658ac6062b51ee07d29bbf004a1dbf9742cc8359fb7";
 #endif
 
 #define LANES 64

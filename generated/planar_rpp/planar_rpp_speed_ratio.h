@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 6fd731e3335a4bffbf128dab57a732fbe8f9cd8480dd4286b8639a1b867ea2cd.
+ * Made from templates/kernel.h.j2; inputs c3b1d33474f13e1c03f34658ac6062b51ee07d29bbf004a1dbf9742cc8359fb7.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6fd731e3335a4bffbf128dab57a732fbe8f9cd8480dd4286b8639a1b867ea2cd.
+Made from templates/kernel.py.j2; inputs c3b1d33474f13e1c03f34658ac6062b51ee07d29bbf004a1dbf9742cc8359fb7.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 4af69dbeba8e0700f7569bb5b218cd96742dab72932f67274909f8926fbabf81.
+ * Made from templates/kernel.c.j2; inputs 4fe7efe4ac8fb4010bb19e8b889cb8880b593ebedf1696d85f47b78958fb9f9e.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "4af69dbeba8e0700f7569bb5b218cd96742dab72932f67274909f8926fbabf81";
+const char planar_rpr_kinematics_digest[] = "4fe7efe4ac8fb4010bb19e8b889cb8880b593ebedf1696d85f47b78958fb9f9e";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 4af69dbeba8e0700f7569bb5b218cd96742dab72932f67274909f8926fbabf81.
+ * Made from templates/kernel.h.j2; inputs 4fe7efe4ac8fb4010bb19e8b889cb8880b593ebedf1696d85f47b78958fb9f9e.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

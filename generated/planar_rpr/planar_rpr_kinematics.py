@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4af69dbeba8e0700f7569bb5b218cd96742dab72932f67274909f8926fbabf81.
+Made from templates/kernel.py.j2; inputs 4fe7efe4ac8fb4010bb19e8b889cb8880b593ebedf1696d85f47b78958fb9f9e.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs ab35bec96a864ac8dbfdab7b2318d0dac2002d6a5e205fd90b19d6e0360c03e0.
+ * Made from templates/kernel.c.j2; inputs 27e7d9936295d8951005372625fa383f5e4cc275e62271fb0f1b9600abf2004d.
  * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "ab35bec96a864ac8dbfdab7b2318d0dac2002d6a5e205fd90b19d6e0360c03e0";
+const char planar_rpr_motion_digest[] = "27e7d9936295d8951005372625fa383f5e4cc275e62271fb0f1b9600abf2004d";
 #endif
 
 #define LANES 64

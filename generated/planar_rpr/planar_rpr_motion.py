@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ab35bec96a864ac8dbfdab7b2318d0dac2002d6a5e205fd90b19d6e0360c03e0.
+Made from templates/kernel.py.j2; inputs 27e7d9936295d8951005372625fa383f5e4cc275e62271fb0f1b9600abf2004d.
 274 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

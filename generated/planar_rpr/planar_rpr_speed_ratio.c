@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs e7ee6b71504b54702200ef9b2d65c425800bd3b87c26f08008961f36a068a370.
+ * Made from templates/kernel.c.j2; inputs 2bac3c90fd03b5fc86f28b119e148dfe91677a3af1ccf8cafe3dbd8a49f63f29.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "e7ee6b71504b54702200ef9b2d65c425800bd3b87c26f08008961f36a068a370";
+const char planar_rpr_speed_ratio_digest[] = "2bac3c90fd03b5fc86f28b119e148dfe91677a3af1ccf8cafe3dbd8a49f63f29";
 #endif
 
 #define LANES 64

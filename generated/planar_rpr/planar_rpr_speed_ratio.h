@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs e7ee6b71504b54702200ef9b2d65c425800bd3b87c26f08008961f36a068a370.
+ * Made from templates/kernel.h.j2; inputs 2bac3c90fd03b5fc86f28b119e148dfe91677a3af1ccf8cafe3dbd8a49f63f29.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 02bcb7176dd97859b5ca26e40147e02b4c164be20c16fae6c4729e2c1f1b3eb8.
+ * Made from templates/kernel.c.j2; inputs 1946bc8a57511e31ab50bd6bf66339b926d06c4d2108c9dfe65073b1b930f10d.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "02bcb7176dd97859b5ca26e40147e02b4c164be20c16fae6c4729e2c1f1b3eb8";
+const char planar_rrp_kinematics_digest[] = "1946bc8a57511e31ab50bd6bf66339b926d06c4d2108c9dfe65073b1b930f10d";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 02bcb7176dd97859b5ca26e40147e02b4c164be20c16fae6c4729e2c1f1b3eb8.
+Made from templates/kernel.py.j2; inputs 1946bc8a57511e31ab50bd6bf66339b926d06c4d2108c9dfe65073b1b930f10d.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

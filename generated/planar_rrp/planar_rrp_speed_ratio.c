@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs a02198c1a6d4bad87002174ebd558fd5d5529c2902ed8ee903eaa53fe64354ec.
+ * Made from templates/kernel.c.j2; inputs 775be29e4d6c73529d41068e0808fb95f8bfc6b71090cbafedc8e1495fdbc072.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "a02198c1a6d4bad87002174ebd558fd5d5529c2902ed8ee903eaa53fe64354ec";
+const char planar_rrp_speed_ratio_digest[] = "775be29e4d6c73529d41068e0808fb95f8bfc6b71090cbafedc8e1495fdbc072";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.h: speed ratio of planar_rrp.
- * Made from templates/kernel.h.j2; inputs a02198c1a6d4bad87002174ebd558fd5d5529c2902ed8ee903eaa53fe64354ec.
+ * Made from templates/kernel.h.j2; inputs 775be29e4d6c73529d41068e0808fb95f8bfc6b71090cbafedc8e1495fdbc072.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,10 +1,11 @@
 /* planar_rrr_continuation_position.c: continuation position of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 10d75e6c9ca5556a0f10b3febc3530e7c4bb944346fb7ddadc1556cad2c48f9c.
+ * Made from templates/kernel.c.j2; inputs 89053be0f37bf69f232309405aeee0e75cc2817f22aab5d9f91cf7305abba370.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #ifndef CHAINRULE_FLOAT
 #define CHAINRULE_FOLLOWS
+#define CHAINRULE_JOINTS 3
 #endif
 #include "planar_rrr_continuation_position.h"
 
@@ -12,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_position_digest[] = "10d75e6c9ca5556a0f10b3febc3530e7c4bb944346fb7ddadc1556cad2c48f9c";
+const char planar_rrr_continuation_position_digest[] = "89053be0f37bf69f232309405aeee0e75cc2817f22aab5d9f91cf7305abba370";
 #endif
 
 #define LANES 64
@@ -111,19 +112,29 @@ static void planar_rrr_continuation_position_turning(const chainrule_curve *curv
     planar_rrr_continuation_position_bending_one(q, curve->parameters, null_vector, bending);
 }
 
+static void planar_rrr_continuation_position_curve(chainrule_curve *curve)
+{
+    memset(curve, 0, sizeof *curve);
+    curve->positions = 2; /* the first rows are lengths */
+    curve->whole = 1; /* and all of the tip's velocity */
+    curve->spatial = 0;
+    curve->kinds = "RRR";
+    curve->held = planar_rrr_continuation_position_held;
+    curve->bending = planar_rrr_continuation_position_turning;
+}
+
 ptrdiff_t planar_rrr_continuation_position_follow(ptrdiff_t count, const chainrule_curve_inputs *inputs, const chainrule_curve_settings *settings,
-    ptrdiff_t room, double *points, double *boxes, chainrule_curve_result *results)
+    chainrule_curve_room *room, double *boxes, chainrule_curve_result *results)
 {
     chainrule_curve curve;
-    memset(&curve, 0, sizeof curve);
-    curve.joints = 3;
-    curve.rows = 2;
-    curve.positions = 2; /* the first rows are lengths */
-    curve.whole = 1; /* and all of the tip's velocity */
-    curve.spatial = 0;
-    curve.kinds = "RRR";
-    curve.held = planar_rrr_continuation_position_held;
-    curve.bending = planar_rrr_continuation_position_turning;
-    return chainrule_follow_all(&curve, count, inputs, settings, room, points, boxes, results);
+    planar_rrr_continuation_position_curve(&curve);
+    return chainrule_follow_all(&curve, count, inputs, settings, room, boxes, results);
+}
+
+void planar_rrr_continuation_position_correct(ptrdiff_t count, const chainrule_curve_inputs *inputs, int times, double *q, double *tangents)
+{
+    chainrule_curve curve;
+    planar_rrr_continuation_position_curve(&curve);
+    chainrule_correct_all(&curve, count, inputs, times, q, tangents);
 }
 #endif

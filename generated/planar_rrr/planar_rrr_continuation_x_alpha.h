@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 10d75e6c9ca5556a0f10b3febc3530e7c4bb944346fb7ddadc1556cad2c48f9c.
+ * Made from templates/kernel.h.j2; inputs 89053be0f37bf69f232309405aeee0e75cc2817f22aab5d9f91cf7305abba370.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
@@ -48,11 +48,15 @@ void planar_rrr_continuation_x_alpha_bendingf(const float *q, const float *param
 void planar_rrr_continuation_x_alpha_bending_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 /* The curves on which the x_alpha is held, from a start each (chainrule_continuation.h says how).
- *   in   inputs (starts[count][3], targets, parameters, units, links, sizes), settings, room (for so many points)
- *   out  points[room][12] (per point x, dx/ds, d2x/ds2, s, H, dH/ds; curve after curve), boxes[count][3][2], results[count]
+ *   in   inputs (starts[count][3], targets, parameters, units, links, sizes), settings
+ *   out  room (points and extrema, curve after curve), boxes[count][3][2], results[count]
  * Returns how many curves were followed; less than count where there was no room for the next one. */
 ptrdiff_t planar_rrr_continuation_x_alpha_follow(ptrdiff_t count, const chainrule_curve_inputs *inputs, const chainrule_curve_settings *settings,
-    ptrdiff_t room, double *points, double *boxes, chainrule_curve_result *results);
+    chainrule_curve_room *room, double *boxes, chainrule_curve_result *results);
+
+/* Configurations q[count][3] near such curves moved onto them by Newton's method, the shortest way, some times; with unit
+ * tangents[count][3] (of joints over units) there. `inputs` as above, without starts. */
+void planar_rrr_continuation_x_alpha_correct(ptrdiff_t count, const chainrule_curve_inputs *inputs, int times, double *q, double *tangents);
 
 #ifdef __cplusplus
 }

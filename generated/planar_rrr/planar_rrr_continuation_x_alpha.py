@@ -1,6 +1,6 @@
 """continuation x alpha of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 10d75e6c9ca5556a0f10b3febc3530e7c4bb944346fb7ddadc1556cad2c48f9c.
+Made from templates/kernel.py.j2; inputs 89053be0f37bf69f232309405aeee0e75cc2817f22aab5d9f91cf7305abba370.
 102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

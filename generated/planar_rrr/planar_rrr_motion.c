@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 9f51bc4968bb44d5dfba8587714e00abbae8402fd35755c0dd91b6ba59a89f77.
+ * Made from templates/kernel.c.j2; inputs 726f0f76dbbb68050671669d287c6f8fc5e05c73470e131f85390e0d8036dd98.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "9f51bc4968bb44d5dfba8587714e00abbae8402fd35755c0dd91b6ba59a89f77";
+const char planar_rrr_motion_digest[] = "726f0f76dbbb68050671669d287c6f8fc5e05c73470e131f85390e0d8036dd98";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9f51bc4968bb44d5dfba8587714e00abbae8402fd35755c0dd91b6ba59a89f77.
+Made from templates/kernel.py.j2; inputs 726f0f76dbbb68050671669d287c6f8fc5e05c73470e131f85390e0d8036dd98.
 248 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 63f853bf1fa4ac52718a2ef5c984537669e00f71391922e822838f348a6e35e4.
+ * Made from templates/kernel.c.j2; inputs aa33b6177717f6b83d165f20512d3467c1ef6b61aabc4a705ab852670d14e0da.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "63f853bf1fa4ac52718a2ef5c984537669e00f71391922e822838f348a6e35e4";
+const char planar_rrr_self_motion_digest[] = "aa33b6177717f6b83d165f20512d3467c1ef6b61aabc4a705ab852670d14e0da";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 63f853bf1fa4ac52718a2ef5c984537669e00f71391922e822838f348a6e35e4.
+ * Made from templates/kernel.h.j2; inputs aa33b6177717f6b83d165f20512d3467c1ef6b61aabc4a705ab852670d14e0da.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.h: speed ratio of planar_rrr.
- * Made from templates/kernel.h.j2; inputs bd87b2de428cd49ba174eb4f483cf6eae43ecb0c91c713c40506416a32adc946.
+ * Made from templates/kernel.h.j2; inputs 6d59be92846428bf061d7f599fb621960c365d7408822fabcae06542d990ee0e.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

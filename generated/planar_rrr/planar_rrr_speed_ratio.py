@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bd87b2de428cd49ba174eb4f483cf6eae43ecb0c91c713c40506416a32adc946.
+Made from templates/kernel.py.j2; inputs 6d59be92846428bf061d7f599fb621960c365d7408822fabcae06542d990ee0e.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 28ec70753d4fdbb20b9b0f2d6f41f425e8332351695aafa91dbb482b4dcabbdc.
+ * Made from templates/kernel.c.j2; inputs ebcbf12859cbddfbe3c0339a804eaa66e2e5c82948e07f676cfeda884f093703.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "28ec70753d4fdbb20b9b0f2d6f41f425e8332351695aafa91dbb482b4dcabbdc";
+const char puma560_kinematics_digest[] = "ebcbf12859cbddfbe3c0339a804eaa66e2e5c82948e07f676cfeda884f093703";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 28ec70753d4fdbb20b9b0f2d6f41f425e8332351695aafa91dbb482b4dcabbdc.
+ * Made from templates/kernel.h.j2; inputs ebcbf12859cbddfbe3c0339a804eaa66e2e5c82948e07f676cfeda884f093703.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* puma560_position.c: manipulability (position) of puma560.
- * Made from templates/kernel.c.j2; inputs 71131bd564d475568f0a04d98a462223f9eaa45ea10028823af4f4907bac5c22.
+ * Made from templates/kernel.c.j2; inputs 4faebf49c5a2700873b486684b1b71fa046280cac45c6cde41d32f3adbc54e53.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_position_digest[] = "71131bd564d475568f0a04d98a462223f9eaa45ea10028823af4f4907bac5c22";
+const char puma560_position_digest[] = "4faebf49c5a2700873b486684b1b71fa046280cac45c6cde41d32f3adbc54e53";
 #endif
 
 #define LANES 64

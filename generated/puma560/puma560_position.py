@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 71131bd564d475568f0a04d98a462223f9eaa45ea10028823af4f4907bac5c22.
+Made from templates/kernel.py.j2; inputs 4faebf49c5a2700873b486684b1b71fa046280cac45c6cde41d32f3adbc54e53.
 298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 49044b8154696eda01797bf08723673f65743702c70651e285cf65281866d63e.
- * 5456 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 0053b4dec7a04226d2caf7975485f46696dd497e12888763fd8d6794b543c9bc.
+ * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "regional_3r_cuspidality.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "49044b8154696eda01797bf08723673f65743702c70651e285cf65281866d63e";
+const char regional_3r_cuspidality_digest[] = "0053b4dec7a04226d2caf7975485f46696dd497e12888763fd8d6794b543c9bc";
 #endif
 
 #define LANES 32
@@ -691,6 +691,80 @@ void CHAINRULE_NAME(regional_3r_sweep_base_batch)(ptrdiff_t count, char *const *
                 chainrule_gather(turned, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
             regional_3r_sweep_base_tile(parameters, elbow, turned, xy);
             chainrule_scatter(xy, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(regional_3r_spherical_orientations)(const real *second, const real *third, const real *wanted, real *angles, real *share)
+{
+    regional_3r_spherical_orientations_one(second, third, wanted, angles, share);
+}
+
+void CHAINRULE_NAME(regional_3r_spherical_orientations_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real second[9 * 32];
+    real third[9 * 32];
+    real wanted[9 * 32];
+    real angles[6 * 32];
+    real share[1 * 32];
+    const int streaming = chainrule_streams(count, 7);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(second, 1, 1, args[0] + start * steps[0], steps[0], 3, 3, steps[5], steps[6]);
+            chainrule_gather(third, 1, 1, args[1] + start * steps[1], steps[1], 3, 3, steps[7], steps[8]);
+            chainrule_gather(wanted, 1, 1, args[2] + start * steps[2], steps[2], 3, 3, steps[9], steps[10]);
+            regional_3r_spherical_orientations_one(second, third, wanted, angles, share);
+            chainrule_scatter(angles, 1, 1, args[3] + start * steps[3], steps[3], 2, 3, steps[11], steps[12], 0);
+            chainrule_scatter(share, 1, 1, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[13], steps[13], 0);
+        } else {
+            chainrule_gather(second, 32, taken, args[0] + start * steps[0], steps[0], 3, 3, steps[5], steps[6]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(third, 32, taken, args[1] + start * steps[1], steps[1], 3, 3, steps[7], steps[8]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(wanted, 32, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[9], steps[10]);
+            regional_3r_spherical_orientations_tile(second, third, wanted, angles, share);
+            chainrule_scatter(angles, 32, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[11], steps[12], streaming);
+            chainrule_scatter(share, 32, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[13], steps[13], streaming);
+        }
+    }
+    chainrule_settle(streaming);
+}
+
+void CHAINRULE_NAME(regional_3r_spherical_elbow)(const real *before, const real *behind, const real *square, real *angles, real *share)
+{
+    regional_3r_spherical_elbow_one(before, behind, square, angles, share);
+}
+
+void CHAINRULE_NAME(regional_3r_spherical_elbow_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
+{
+    real before[3 * 32];
+    real behind[3 * 32];
+    real square[1 * 32];
+    real angles[2 * 32];
+    real share[1 * 32];
+    const int streaming = chainrule_streams(count, 3);
+    int taken;
+    for (ptrdiff_t start = 0; start < count; start += taken) {
+        taken = chainrule_take(count - start, 32);
+        if (taken == 1) {
+            chainrule_gather(before, 1, 1, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[5], steps[5]);
+            chainrule_gather(behind, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_gather(square, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[7], steps[7]);
+            regional_3r_spherical_elbow_one(before, behind, square, angles, share);
+            chainrule_scatter(angles, 1, 1, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[8], steps[8], 0);
+            chainrule_scatter(share, 1, 1, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[9], steps[9], 0);
+        } else {
+            chainrule_gather(before, 32, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[5], steps[5]);
+            if (start == 0 || steps[1] != 0) /* the same for all: once */
+                chainrule_gather(behind, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
+            if (start == 0 || steps[2] != 0) /* the same for all: once */
+                chainrule_gather(square, 32, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[7], steps[7]);
+            regional_3r_spherical_elbow_tile(before, behind, square, angles, share);
+            chainrule_scatter(angles, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[8], steps[8], streaming);
+            chainrule_scatter(share, 32, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[9], steps[9], streaming);
         }
     }
     chainrule_settle(streaming);

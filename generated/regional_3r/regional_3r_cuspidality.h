@@ -1,6 +1,6 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs 49044b8154696eda01797bf08723673f65743702c70651e285cf65281866d63e.
- * 5456 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 0053b4dec7a04226d2caf7975485f46696dd497e12888763fd8d6794b543c9bc.
+ * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -245,6 +245,30 @@ void regional_3r_sweep_base(const double *parameters, const double *elbow, const
 void regional_3r_sweep_base_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void regional_3r_sweep_basef(const float *parameters, const float *elbow, const float *turned, float *xy);
 void regional_3r_sweep_base_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* angles a, b, c with Rz(a) second Rz(b) third Rz(c) = wanted, in two ways; real where |share| <= 1.
+ *   in   second[3][3] = (second_11, second_12, second_13, second_21, second_22, second_23, second_31, second_32, second_33)
+ *   in   third[3][3] = (third_11, third_12, third_13, third_21, third_22, third_23, third_31, third_32, third_33)
+ *   in   wanted[3][3] = (wanted_11, wanted_12, wanted_13, wanted_21, wanted_22, wanted_23, wanted_31, wanted_32, wanted_33)
+ *   out  angles[2][3]
+ *   out  share[1]
+ *   230 operations */
+void regional_3r_spherical_orientations(const double *second, const double *third, const double *wanted, double *angles, double *share);
+void regional_3r_spherical_orientations_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_spherical_orientationsf(const float *second, const float *third, const float *wanted, float *angles, float *share);
+void regional_3r_spherical_orientations_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+
+/* angles of a joint, in two ways, at which a point behind it is sqrt(square) from one before it.
+ *   in   before[3] = (s1, s2, s3)
+ *   in   behind[3] = (w1, w2, w3)
+ *   in   square[1] = (distance_squared)
+ *   out  angles[2]
+ *   out  share[1]
+ *   57 operations */
+void regional_3r_spherical_elbow(const double *before, const double *behind, const double *square, double *angles, double *share);
+void regional_3r_spherical_elbow_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
+void regional_3r_spherical_elbowf(const float *before, const float *behind, const float *square, float *angles, float *share);
+void regional_3r_spherical_elbow_batchf(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 49044b8154696eda01797bf08723673f65743702c70651e285cf65281866d63e.
-5456 operations. Do not edit: change the derivation and regenerate.
+Made from templates/kernel.py.j2; inputs 0053b4dec7a04226d2caf7975485f46696dd497e12888763fd8d6794b543c9bc.
+5743 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
 """
@@ -2437,3 +2437,179 @@ def sweep_base(parameters, elbow, turned):
     xy[..., 0] = A + d2
     xy[..., 1] = t1
     return xy.reshape(_leading + (2,))
+
+
+def spherical_orientations(second, third, wanted):
+    """angles a, b, c with Rz(a) second Rz(b) third Rz(c) = wanted, in two ways; real where |share| <= 1: 230 operations.
+
+    in   second[3][3] = (second_11, second_12, second_13, second_21, second_22, second_23, second_31, second_32, second_33)
+    in   third[3][3] = (third_11, third_12, third_13, third_21, third_22, third_23, third_31, third_32, third_33)
+    in   wanted[3][3] = (wanted_11, wanted_12, wanted_13, wanted_21, wanted_22, wanted_23, wanted_31, wanted_32, wanted_33)
+    out  angles[2][3]
+    out  share[1]
+    """
+    second = np.asarray(second)
+    second = second.reshape(second.shape[:-2] + (9,))
+    third = np.asarray(third)
+    third = third.reshape(third.shape[:-2] + (9,))
+    wanted = np.asarray(wanted)
+    wanted = wanted.reshape(wanted.shape[:-2] + (9,))
+    _leading = np.broadcast_shapes(second.shape[:-1], third.shape[:-1], wanted.shape[:-1])
+    _real = np.result_type(second, third, wanted, np.float32)
+
+    # inputs, sines and cosines
+    second_31 = second[..., 6]
+    third_13 = third[..., 2]
+    second_32 = second[..., 7]
+    third_23 = third[..., 5]
+    wanted_33 = wanted[..., 8]
+    second_33 = second[..., 8]
+    third_33 = third[..., 8]
+    second_11 = second[..., 0]
+    second_12 = second[..., 1]
+    second_13 = second[..., 2]
+    wanted_13 = wanted[..., 2]
+    second_21 = second[..., 3]
+    second_22 = second[..., 4]
+    second_23 = second[..., 5]
+    wanted_23 = wanted[..., 5]
+    third_12 = third[..., 1]
+    third_22 = third[..., 4]
+    third_32 = third[..., 7]
+    wanted_31 = wanted[..., 6]
+    wanted_11 = wanted[..., 0]
+    wanted_21 = wanted[..., 3]
+    third_11 = third[..., 0]
+    third_21 = third[..., 3]
+    third_31 = third[..., 6]
+
+    # terms
+    t1 = second_31 * third_13 + second_32 * third_23
+    t2 = third_13 * second_32 - second_31 * third_23
+    t3 = np.sqrt((t1 * t1 + t2 * t2))
+    t4 = np.where(t3 != 0.0, 1, 0.0)
+    t5 = t4 / (t3 + (1 - t4))
+    t6 = t5 * (wanted_33 - second_33 * third_33)
+    t7 = np.maximum((-1), np.minimum(1, t6))
+    t8 = t1 * t7
+    t9 = np.sqrt(np.maximum(0.0, (1 + t7) * (1 - t7)))
+    t10 = t2 * t9
+    t11 = t5 * (t8 - t10)
+    t12 = t2 * t7
+    t13 = t1 * t9
+    t14 = t5 * (t12 + t13)
+    t15 = third_13 * t11 - third_23 * t14
+    t16 = third_23 * t11 + third_13 * t14
+    t17 = third_33 * second_13
+    t18 = t15 * second_11 + t16 * second_12 + t17
+    t19 = third_33 * second_23
+    t20 = t15 * second_21 + t16 * second_22 + t19
+    t21 = t18 * wanted_13 + t20 * wanted_23
+    t22 = t18 * wanted_23 - wanted_13 * t20
+    t23 = np.sqrt((t21 * t21 + t22 * t22))
+    t24 = np.where(t23 != 0.0, 1, 0.0)
+    t25 = t24 / (t23 + (1 - t24))
+    t26 = t22 * t25
+    t27 = 1 + t21 * t25 - t24
+    t28 = t11 * third_12 - t14 * third_22
+    t29 = t11 * third_22 + t14 * third_12
+    t30 = second_33 * third_32
+    t31 = second_13 * third_32
+    t32 = second_11 * t28 + second_12 * t29 + t31
+    t33 = second_23 * third_32
+    t34 = second_21 * t28 + second_22 * t29 + t33
+    t35 = (second_31 * t28 + second_32 * t29 + t30) * wanted_31 + wanted_11 * (t27 * t32 - t26 * t34)
+    t36 = t11 * third_11 - t14 * third_21
+    t37 = t11 * third_21 + t14 * third_11
+    t38 = second_33 * third_31
+    t39 = second_13 * third_31
+    t40 = second_11 * t36 + second_12 * t37 + t39
+    t41 = second_23 * third_31
+    t42 = second_21 * t36 + second_22 * t37 + t41
+    t43 = wanted_31 * (second_31 * t36 + second_32 * t37 + t38) + wanted_11 * (t27 * t40 - t26 * t42)
+    t44 = np.arctan2((t35 + wanted_21 * (t27 * t34 + t26 * t32)), t43 + wanted_21 * (t27 * t42 + t26 * t40))
+    t45 = t5 * (t8 + t10)
+    t46 = t5 * (t12 - t13)
+    t47 = third_23 * t45 + third_13 * t46
+    t48 = third_13 * t45 - third_23 * t46
+    t49 = t17 + (second_12 * t47 + second_11 * t48)
+    t50 = t19 + (second_22 * t47 + second_21 * t48)
+    t51 = wanted_13 * t49 + wanted_23 * t50
+    t52 = wanted_23 * t49 - wanted_13 * t50
+    t53 = np.sqrt((t51 * t51 + t52 * t52))
+    t54 = np.where(t53 != 0.0, 1, 0.0)
+    t55 = t54 / (t53 + (1 - t54))
+    t56 = t52 * t55
+    t57 = 1 + t51 * t55 - t54
+    t58 = third_22 * t45 + third_12 * t46
+    t59 = third_12 * t45 - third_22 * t46
+    t60 = t31 + (second_12 * t58 + second_11 * t59)
+    t61 = t33 + (second_22 * t58 + second_21 * t59)
+    t62 = wanted_31 * (t30 + (second_32 * t58 + second_31 * t59)) + wanted_11 * (t57 * t60 - t56 * t61)
+    t63 = third_11 * t45 - third_21 * t46
+    t64 = third_21 * t45 + third_11 * t46
+    t65 = t39 + (second_11 * t63 + second_12 * t64)
+    t66 = t41 + (second_21 * t63 + second_22 * t64)
+    t67 = wanted_31 * (t38 + (second_31 * t63 + second_32 * t64)) + wanted_11 * (t57 * t65 - t56 * t66)
+    t68 = np.arctan2((t62 + wanted_21 * (t57 * t61 + t56 * t60)), t67 + wanted_21 * (t57 * t66 + t56 * t65))
+
+    # results
+    angles = np.empty((*_leading, 6), _real)
+    share = np.empty((*_leading, 1), _real)
+    angles[..., 0] = np.arctan2(t26, t27)
+    angles[..., 1] = np.arctan2(t14, t11)
+    angles[..., 2] = t44
+    angles[..., 3] = np.arctan2(t56, t57)
+    angles[..., 4] = np.arctan2(t46, t45)
+    angles[..., 5] = t68
+    share[..., 0] = t6
+    return angles.reshape(_leading + (2, 3)), share.reshape(_leading + (1,))
+
+
+def spherical_elbow(before, behind, square):
+    """angles of a joint, in two ways, at which a point behind it is sqrt(square) from one before it: 57 operations.
+
+    in   before[3] = (s1, s2, s3)
+    in   behind[3] = (w1, w2, w3)
+    in   square[1] = (distance_squared)
+    out  angles[2]
+    out  share[1]
+    """
+    before = np.asarray(before)
+    behind = np.asarray(behind)
+    square = np.asarray(square)
+    _leading = np.broadcast_shapes(before.shape[:-1], behind.shape[:-1], square.shape[:-1])
+    _real = np.result_type(before, behind, square, np.float32)
+
+    # inputs, sines and cosines
+    s1 = before[..., 0]
+    w1 = behind[..., 0]
+    s2 = before[..., 1]
+    w2 = behind[..., 1]
+    s3 = before[..., 2]
+    w3 = behind[..., 2]
+    distance_squared = square[..., 0]
+
+    # terms
+    t1 = s1 * w1 + s2 * w2
+    t2 = w1 * s2 - s1 * w2
+    t3 = np.sqrt((t1 * t1 + t2 * t2))
+    t4 = np.where(t3 != 0.0, 1, 0.0)
+    t5 = t4 / (t3 + (1 - t4))
+    t6 = 0.5 * (s1 * s1) + 0.5 * (s2 * s2) + 0.5 * (s3 * s3)
+    t7 = t6 + 0.5 * (w1 * w1) + 0.5 * (w2 * w2) + 0.5 * (w3 * w3)
+    t8 = t5 * (t7 - 0.5 * distance_squared - s3 * w3)
+    t9 = np.maximum((-1), np.minimum(1, t8))
+    t10 = t2 * t9
+    t11 = np.sqrt(np.maximum(0.0, (1 + t9) * (1 - t9)))
+    t12 = t1 * t11
+    t13 = t1 * t9
+    t14 = t2 * t11
+
+    # results
+    angles = np.empty((*_leading, 2), _real)
+    share = np.empty((*_leading, 1), _real)
+    angles[..., 0] = np.arctan2((t5 * (t10 + t12)), t5 * (t13 - t14))
+    angles[..., 1] = np.arctan2((t5 * (t10 - t12)), t5 * (t13 + t14))
+    share[..., 0] = t8
+    return angles.reshape(_leading + (2,)), share.reshape(_leading + (1,))

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab.
+ * Made from templates/kernel.c.j2; inputs b272a0cce5fb0f819476020b950449d13232e5e38a5fb0df3ec15b11ffd5a999.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab";
+const char sanchez_8r_dynamics_digest[] = "b272a0cce5fb0f819476020b950449d13232e5e38a5fb0df3ec15b11ffd5a999";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.h: dynamics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab.
+ * Made from templates/kernel.h.j2; inputs b272a0cce5fb0f819476020b950449d13232e5e38a5fb0df3ec15b11ffd5a999.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """dynamics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4087566c9e4a4789b7d96084a3ade7f2b2b53f38904e93da9e6f17657c97a3ab.
+Made from templates/kernel.py.j2; inputs b272a0cce5fb0f819476020b950449d13232e5e38a5fb0df3ec15b11ffd5a999.
 982 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 6f4e980391f6982eb6a1bff10e076f5067a27a48d2863d6f20fcf25f5a3b84d5.
+ * Made from templates/kernel.c.j2; inputs 8024c27efa21fe88dfed6b23b1362949e1f9d873fe1930224d0fb408e1801390.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "6f4e980391f6982eb6a1bff10e076f5067a27a48d2863d6f20fcf25f5a3b84d5";
+const char sanchez_8r_kinematics_digest[] = "8024c27efa21fe88dfed6b23b1362949e1f9d873fe1930224d0fb408e1801390";
 #endif
 
 #define LANES 32

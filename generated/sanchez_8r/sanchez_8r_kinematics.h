@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 6f4e980391f6982eb6a1bff10e076f5067a27a48d2863d6f20fcf25f5a3b84d5.
+ * Made from templates/kernel.h.j2; inputs 8024c27efa21fe88dfed6b23b1362949e1f9d873fe1930224d0fb408e1801390.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

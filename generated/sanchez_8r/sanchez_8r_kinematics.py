@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6f4e980391f6982eb6a1bff10e076f5067a27a48d2863d6f20fcf25f5a3b84d5.
+Made from templates/kernel.py.j2; inputs 8024c27efa21fe88dfed6b23b1362949e1f9d873fe1930224d0fb408e1801390.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.h: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 1418c17614a5a7e30cfe56ea6a3149c0f9082dfb1173c4ed4d5f48bb8806010f.
+ * Made from templates/kernel.h.j2; inputs c10014ee936bd12ca4db12d0f526ed9a428bf3b51caa6c4b9da18f79a622143c.
  * 2947 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

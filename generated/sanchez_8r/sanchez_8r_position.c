@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 1418c17614a5a7e30cfe56ea6a3149c0f9082dfb1173c4ed4d5f48bb8806010f.
+ * Made from templates/kernel.c.j2; inputs c10014ee936bd12ca4db12d0f526ed9a428bf3b51caa6c4b9da18f79a622143c.
  * 1893 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "1418c17614a5a7e30cfe56ea6a3149c0f9082dfb1173c4ed4d5f48bb8806010f";
+const char sanchez_8r_position_digest[] = "c10014ee936bd12ca4db12d0f526ed9a428bf3b51caa6c4b9da18f79a622143c";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1418c17614a5a7e30cfe56ea6a3149c0f9082dfb1173c4ed4d5f48bb8806010f.
+Made from templates/kernel.py.j2; inputs c10014ee936bd12ca4db12d0f526ed9a428bf3b51caa6c4b9da18f79a622143c.
 1893 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

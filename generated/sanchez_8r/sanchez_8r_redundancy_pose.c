@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 735840aa7435fa93d6e6d8be91176285c9b668c14bf128295b51900d96acd6ff.
+ * Made from templates/kernel.c.j2; inputs 1b0dca76498a21a99473755a9005824aea0b12a56d01628e010eb516fb6d87ab.
  * 3542 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "735840aa7435fa93d6e6d8be91176285c9b668c14bf128295b51900d96acd6ff";
+const char sanchez_8r_redundancy_pose_digest[] = "1b0dca76498a21a99473755a9005824aea0b12a56d01628e010eb516fb6d87ab";
 #endif
 
 #define LANES 8

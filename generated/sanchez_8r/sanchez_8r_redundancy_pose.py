@@ -1,6 +1,6 @@
 """redundancy pose of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 735840aa7435fa93d6e6d8be91176285c9b668c14bf128295b51900d96acd6ff.
+Made from templates/kernel.py.j2; inputs 1b0dca76498a21a99473755a9005824aea0b12a56d01628e010eb516fb6d87ab.
 3542 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 9dd9c30c891ac393e37f59ca7397e9d2b8df40c22a5097b95791c6603106e3a6.
+ * Made from templates/kernel.c.j2; inputs 0b79a03cb2beedd0365f665506b466562d0ed3df93bd2166b548a57502663584.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "9dd9c30c891ac393e37f59ca7397e9d2b8df40c22a5097b95791c6603106e3a6";
+const char ur5e_kinematics_digest[] = "0b79a03cb2beedd0365f665506b466562d0ed3df93bd2166b548a57502663584";
 #endif
 
 #define LANES 64

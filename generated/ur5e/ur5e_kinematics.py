@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9dd9c30c891ac393e37f59ca7397e9d2b8df40c22a5097b95791c6603106e3a6.
+Made from templates/kernel.py.j2; inputs 0b79a03cb2beedd0365f665506b466562d0ed3df93bd2166b548a57502663584.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

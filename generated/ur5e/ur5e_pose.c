@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs e73b2473834db20aad93506eba8b4cc2bf94dc5d219ec2b86682c9fa12bb410a.
+ * Made from templates/kernel.c.j2; inputs 816e044f256faf30561a4c9c3e3efa335ca7d71aad031c46f759a5ff11439b96.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "e73b2473834db20aad93506eba8b4cc2bf94dc5d219ec2b86682c9fa12bb410a";
+const char ur5e_pose_digest[] = "816e044f256faf30561a4c9c3e3efa335ca7d71aad031c46f759a5ff11439b96";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e73b2473834db20aad93506eba8b4cc2bf94dc5d219ec2b86682c9fa12bb410a.
+Made from templates/kernel.py.j2; inputs 816e044f256faf30561a4c9c3e3efa335ca7d71aad031c46f759a5ff11439b96.
 836 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -42,6 +42,7 @@ if TYPE_CHECKING:
     from chainrule.self_motions.face import self_motion
     from chainrule.self_motions.maps import SelfMotionMap, self_motion_map
     from chainrule.self_motions.result import Component, SelfMotion
+    from chainrule.self_motions.singular import NearestSingular, nearest_singular
     from chainrule.speed_ratio import SpeedRatios, speed_ratios
     from chainrule.timing import JointMove, min_time
     from chainrule.workspaces import Workspace, workspace
@@ -71,6 +72,7 @@ __all__ = [
     "Line",
     "ManipulabilityMap",
     "Maximum",
+    "NearestSingular",
     "NoCompilerWarning",
     "Orthogonal3R",
     "PostureChange",
@@ -97,6 +99,7 @@ __all__ = [
     "max_manipulability",
     "min_time",
     "motion_ratios",
+    "nearest_singular",
     "orthogonal_3r",
     "planar",
     "planar_3r",
@@ -146,6 +149,7 @@ _HOMES = {
     **dict.fromkeys(("SelfMotionAlong", "self_motion_along"), "chainrule.self_motions.along"),
     **dict.fromkeys(("SelfMotionMap", "self_motion_map"), "chainrule.self_motions.maps"),
     **dict.fromkeys(("BestPosture", "best_posture"), "chainrule.self_motions.best"),
+    **dict.fromkeys(("NearestSingular", "nearest_singular"), "chainrule.self_motions.singular"),
     "self_motion": "chainrule.self_motions.face",
     "read_path": "chainrule.readers.paths",
     **dict.fromkeys(("GlobalRun", "track_globally"), "chainrule.redundancy.globally"),

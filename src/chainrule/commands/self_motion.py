@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from chainrule.arm import Arm
     from chainrule.self_motions.best import BestPosture
     from chainrule.self_motions.result import SelfMotion
+    from chainrule.self_motions.singular import NearestSingular
 
 
 @app.command()
@@ -57,10 +58,16 @@ def self_motion(
     best: Annotated[
         str | None, typer.Option(help="The best posture by: manipulability, or limits (far from every stop).")
     ] = None,
+    singular: Annotated[
+        bool, typer.Option("--singular", help="Also a target near by whose self-motion is singular (a local search).")
+    ] = False,
     method: Annotated[
         str | None, typer.Option(help="closed form, sweep, continuation or eigenvector; the best one when left out.")
     ] = None,
     points: Annotated[int, typer.Option(help="Points of each curve, in --csv and --json.")] = 91,
+    starts: Annotated[int, typer.Option(help="How many starts a search has, where no other method proves all.")] = 64,
+    gamma: Annotated[float, typer.Option(help="Step of --method eigenvector, rad.")] = 0.001,
+    scale: Annotated[float, typer.Option(help="Metres that count as one radian of a prismatic joint.")] = 1.0,
     figure: Annotated[
         Path | None, typer.Option(metavar="FILE", callback=output_file, help="Draw it into a .svg, .png or .pdf file.")
     ] = None,
@@ -70,7 +77,12 @@ def self_motion(
     ] = None,
     csv: Annotated[
         Path | None,
-        typer.Option("--csv", metavar="FILE", callback=output_file, help="Points of all curves: curve, s, joints, H."),
+        typer.Option(
+            "--csv",
+            metavar="FILE",
+            callback=output_file,
+            help="Points of all curves (with --limits of all arcs): curve, s, joints, H.",
+        ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
     tip: Tip = None,
@@ -91,18 +103,25 @@ def self_motion(
     _check_files(animation, csv)
     aim = _target(loaded, task, target, at, along, deg)
     if along is not None:
-        _refuse_with_along(best, animation, csv, figure, loaded, task)
-        _along(loaded, task, aim, along, figure, as_json, {"method": method, "limits": limits})
+        _refuse_with_along(best, singular, animation, csv, figure, loaded, task)
+        options = {"method": method, "limits": limits, "starts": starts, "gamma": gamma, "scale": scale}
+        _along(loaded, task, aim, along, figure, as_json, options)
         return
     with progressing() as progress:
         progress("finding the self-motions")
-        found = find(loaded, aim, task, method=method, limits=limits, points=points)
+        found = find(
+            loaded, aim, task, method=method, limits=limits, points=points, starts=starts, gamma=gamma, scale=scale
+        )
         chosen = _best(loaded, found, best, limits)
+        near = _near(loaded, found) if singular else None
         files = _draw(loaded, found, figure, animation, csv, points)
     if as_json:
-        print_json(found.to_dict() | {"best": chosen.to_dict() if chosen else None, "files": files})
+        more = {"singular": near.to_dict() if near else None} if singular else {}
+        print_json(found.to_dict() | {"best": chosen.to_dict() if chosen else None, **more, "files": files})
     else:
         _print(loaded, found, chosen, best)
+        if near is not None:
+            _say_near(loaded, near)
         for path in files:
             say(path)
     if found.status == "unreachable" or (best is not None and chosen is None):
@@ -144,10 +163,16 @@ def _target(arm: Arm, task: str, target: str | None, at: str | None, along: str 
 
 
 def _refuse_with_along(
-    best: str | None, animation: Path | None, csv: Path | None, figure: Path | None, arm: Arm, task: str
+    best: str | None,
+    singular: bool,
+    animation: Path | None,
+    csv: Path | None,
+    figure: Path | None,
+    arm: Arm,
+    task: str,
 ) -> None:
-    for option, given in (("--best", best), ("--animation", animation), ("--csv", csv)):
-        if given is not None:
+    for option, given in (("--best", best), ("--singular", singular), ("--animation", animation), ("--csv", csv)):
+        if given:
             raise InputError(f"{option} is for one target, not for --along")
     if figure is not None and not (task in ("position", "x_alpha") and "x_alpha" in arm.tasks and arm.kinds == "RRR"):
         raise InputError("--figure with --along is for planar 3R arms, tasks position and x_alpha")
@@ -177,6 +202,22 @@ def _best(arm: Arm, found: SelfMotion, criterion: str | None, limits: bool) -> B
     return best_posture(arm, found, criterion, limits=limits) if found.arcs else None
 
 
+def _near(arm: Arm, found: SelfMotion) -> NearestSingular | None:
+    from chainrule.self_motions.singular import nearest_singular
+
+    return nearest_singular(arm, found) if found.components else None
+
+
+def _say_near(arm: Arm, near: NearestSingular) -> None:
+    from chainrule.tables import posture
+
+    say(f"The least H at this target is {near.manipulability:.6g}.")
+    if near.distance is None or near.q is None:
+        say("No singular target was found near by.")
+    else:
+        say(f"A singular target is {near.distance:.6g} m away (others may be nearer), at {posture(arm, near.q)}")
+
+
 def _draw(
     arm: Arm, found: SelfMotion, figure: Path | None, animation: Path | None, csv: Path | None, points: int
 ) -> list[str]:
@@ -199,16 +240,19 @@ def _draw(
 
 
 def _points(arm: Arm, found: SelfMotion, points: int) -> str:
-    """Points of all curves, or of what limits leave of them, as comma-separated values."""
+    """Points of all curves, or of what limits leave of them (arcs, numbered too), as comma-separated values."""
     import numpy as np
 
-    lines = [",".join(["curve", "s", *(f"q{j}" for j in range(1, arm.n + 1)), "H"])]
+    limited = found.feasible is not None
+    lines = [",".join(["curve", *(["arc"] if limited else []), "s", *(f"q{j}" for j in range(1, arm.n + 1)), "H"])]
     for k, curve in enumerate(found.arcs):
+        number = k if curve.of is None else curve.of
+        label = [str(number + 1), str(k + 1)] if limited else [str(number + 1)]
         s = np.linspace(0.0, 1.0, points) if len(curve.q) > 1 else np.zeros(1)
         q = curve.at(s)
         h = arm.manipulability(q, task=found.task)
         for row in np.column_stack([s * curve.length, q, h]):
-            lines.append(",".join([str(k + 1), *(repr(float(value)) for value in row)]))
+            lines.append(",".join([*label, *(repr(float(value)) for value in row)]))
     return "\n".join(lines) + "\n"
 
 

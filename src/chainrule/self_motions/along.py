@@ -13,9 +13,10 @@ with the halves of that arc exchanged, which counts as a reconnection although e
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,26 +77,20 @@ class SelfMotionAlong:
 
     Attributes:
         targets: (k, ...) the targets.
-        motions: at each target, as :func:`chainrule.self_motion` gives it.
-        labels: at each target, the label of each of its curves: the same from target to target as long as a curve goes
-            on by itself; empty where the target is singular.
-        changes: where curves change, in order.
+        motions: at each target, as :func:`chainrule.self_motion` gives it (in the plane made when looked at).
+        labels: at each target, the label of each of its curves, or with ``limits`` of each of its arcs: the same from
+            target to target as long as a curve goes on by itself; empty where the target is singular.
+        changes: where curves (or arcs) change, in order.
+        count: (k,) number of curves, or of arcs.
+        length: (k,) length of all of them together, rad.
     """
 
     targets: Array
-    motions: tuple[SelfMotion, ...]
+    motions: Sequence[SelfMotion]
     labels: tuple[tuple[int, ...], ...]
     changes: tuple[Change, ...]
-
-    @property
-    def count(self) -> Array:
-        """(k,) number of curves."""
-        return np.array([motion.count for motion in self.motions])
-
-    @property
-    def length(self) -> Array:
-        """(k,) length of all curves together, rad."""
-        return np.array([motion.length for motion in self.motions])
+    count: Array
+    length: Array
 
     @cached_property
     def families(self) -> tuple[int, ...]:
@@ -132,7 +127,7 @@ class SelfMotionAlong:
         return {
             "targets": self.targets.tolist(),
             "count": self.count.tolist(),
-            "lengths": [[curve.length for curve in motion.components] for motion in self.motions],
+            "lengths": [[curve.length for curve in motion.arcs] for motion in self.motions],
             "labels": [list(labels) for labels in self.labels],
             "complete": [motion.complete for motion in self.motions],
             "changes": [change.to_dict() for change in self.changes],
@@ -146,9 +141,11 @@ def self_motion_along(
     """How the self-motion changes along a path of targets, joined by straight lines.
 
     Between targets positions and angles are interpolated linearly, rotations about one axis. For planar 3R arms (task
-    "position") the changes are where the path crosses a singular radius, computed as such; for all others they are
-    closed in on by halving, and two changes between neighbouring targets that undo each other are not seen: give more
-    targets where that matters.
+    "position", without limits) everything is known in closed form: the changes are where the path crosses a singular
+    radius, numbers and lengths are those of :func:`chainrule.self_motion_map`. For all others changes are closed in on
+    by halving, and two changes between neighbouring targets that undo each other are not seen: give more targets where
+    that matters. With ``limits=True`` what is told apart and labelled are the arcs within the arm's joint limits, each
+    of which an arm can run along without meeting a stop; an arc changes by splitting, merging, appearing or vanishing.
 
     Args:
         arm: as for :func:`chainrule.self_motion`.
@@ -187,12 +184,15 @@ class _Walk:
     def __init__(self, arm: Arm, task: str, path: Array, width: float, options: dict[str, Any]) -> None:
         self.arm, self.task, self.path, self.width, self.options = arm, task, path, width, options
         self.held = Held(arm, task, float(options.get("scale", 1.0)))
+        self.limited = bool(options.get("limits")) and bool(np.isfinite(arm.limits.position).any())
         self.changes: list[Change] = []
         self.fresh = 0
 
     def result(self) -> SelfMotionAlong:
-        motions = [self.motion(float(k)) for k in range(len(self.path))]
         exact = self.exact()
+        if self.closed:
+            return self.mapped(exact)
+        motions = [self.motion(float(k)) for k in range(len(self.path))]
         labels: list[tuple[int, ...]] = [()] * len(self.path)
         current: list[int] = []
         at, here = -1.0, _Here()
@@ -208,7 +208,56 @@ class _Walk:
                 labels[k] = tuple(current)
             at, here = t, known
         self.changes = [self.placed(change, exact) for change in self.changes]
-        return SelfMotionAlong(self.path, tuple(motions), tuple(labels), tuple(self.changes))
+        every = [[curve.length for curve in motion.arcs] for motion in motions]
+        count, length = np.array([len(each) for each in every]), np.array([math.fsum(each) for each in every])
+        return SelfMotionAlong(self.path, tuple(motions), tuple(labels), tuple(self.changes), count, length)
+
+    @cached_property
+    def closed(self) -> bool:
+        """Whether numbers, lengths and changes are known in closed form."""
+        planar = isinstance(self.arm.description.geometry, Planar) and self.arm.kinds == "RRR"
+        free = not self.limited and self.options.get("method") in (None, "closed form")
+        return planar and self.task == "position" and free and bool((self.arm.parameters > 0.0).all())
+
+    def mapped(self, exact: list[float]) -> SelfMotionAlong:
+        """The path of a planar 3R arm. Between singular radii the curves stay as they are, listed in the same order."""
+        from chainrule.self_motions.maps import self_motion_map
+        from chainrule.self_motions.planar_case import SINGULAR
+
+        places = sorted({*map(float, range(len(self.path))), *self.around(exact)})
+        found = self_motion_map(self.arm, np.array([self.target(t) for t in places]))
+        labels: list[tuple[int, ...]] = [()] * len(self.path)
+        current: list[int] = []
+        at, last, ahead = -1.0, -1.0, list(exact)
+        for t, number, status in zip(places, found.number.tolist(), found.status.tolist(), strict=True):
+            passed = [place for place in ahead if place < t]
+            ahead = ahead[len(passed) :]
+            last = passed[-1] if passed else last
+            if status == SINGULAR:
+                continue
+            if at < 0.0:
+                current = [self.new() for _ in range(number)]
+            elif last >= at or number != len(current):
+                current = self.crossed(at, t, current, number)
+            if t == int(t):
+                labels[int(t)] = tuple(current)
+            at = t
+        whole = np.searchsorted(places, np.arange(len(self.path)))
+        length = np.where(found.number > 0, found.total, 0.0)[whole]
+        self.changes = [self.placed(change, exact) for change in self.changes]
+        motions = _Later(self.arm, self.task, self.path, self.options)
+        return SelfMotionAlong(self.path, motions, tuple(labels), tuple(self.changes), found.number[whole], length)
+
+    def crossed(self, t0: float, t1: float, labels: list[int], number: int) -> list[int]:
+        """The labels behind a singular radius: one curve more or less, else (radii that coincide) as points move."""
+        kinds = {(1, 2): "split", (2, 1): "merge", (0, 1): "appear", (1, 0): "vanish"}
+        kind = kinds.get((len(labels), number))
+        if kind is None:
+            a, b = (self.known(t, self.motion(t)) for t in (t0, t1))
+            return self.linked(t0, a, t1, b, labels)
+        after = [self.new() for _ in range(number)]
+        self.changes.append(Change(0.5 * (t0 + t1), t1 - t0, kind, tuple(labels), tuple(after)))
+        return after
 
     # ---- targets -----------------------------------------------------------------------------------------------
 
@@ -230,8 +279,7 @@ class _Walk:
 
     def exact(self) -> list[float]:
         """Where the path crosses a singular radius, for planar 3R arms and task "position"."""
-        planar = isinstance(self.arm.description.geometry, Planar) and self.arm.kinds == "RRR"
-        if not planar or self.task != "position" or self.options.get("method") not in (None, "closed form"):
+        if not self.closed:
             return []
         from chainrule.self_motions.planar_3r import singular_radii
 
@@ -269,14 +317,15 @@ class _Walk:
 
     def known(self, t: float, motion: SelfMotion) -> _Here:
         known = Known(self.held, motion.target)
-        for curve in motion.components:
+        curves = motion.arcs if self.limited else motion.components
+        for curve in curves:
             known.add(curve)
-        return _Here(known, motion.components)
+        return _Here(known, curves)
 
     def linked(self, t0: float, a: _Here, t1: float, b: _Here, labels: list[int]) -> list[int]:
         """The labels at t1, given those at t0; changes between are recorded."""
         forward, backward = self.moved(a, b), self.moved(b, a)
-        if _agree(forward, backward):
+        if _agree(forward, backward, 1 if self.limited else MOVED):
             return [labels[i] for i in np.argmax(backward, axis=1)] if len(backward) else []
         if t1 - t0 <= self.width:
             return self.changed(t0, t1, forward, backward.T, labels)
@@ -358,15 +407,41 @@ def _kept(forward: Array, backward: Array) -> Array | None:
     return there if whole.all() and len(set(there.tolist())) == len(there) else None
 
 
-def _agree(forward: Array, backward: Array) -> bool:
-    """Whether all points of each curve went to one curve, one to one, both ways."""
+class _Later(Sequence[SelfMotion]):
+    """Self-motions at the targets of a path, each made when it is first looked at."""
+
+    def __init__(self, arm: Arm, task: str, targets: Array, options: dict[str, Any]) -> None:
+        self._make: Callable[[int], SelfMotion] = lambda k: self_motion(arm, targets[k], task, **options)
+        self._made: list[SelfMotion | None] = [None] * len(targets)
+
+    def __len__(self) -> int:
+        return len(self._made)
+
+    @overload
+    def __getitem__(self, k: int) -> SelfMotion: ...
+    @overload
+    def __getitem__(self, k: slice) -> tuple[SelfMotion, ...]: ...
+    def __getitem__(self, k: int | slice) -> SelfMotion | tuple[SelfMotion, ...]:
+        if isinstance(k, slice):
+            return tuple(self[i] for i in range(*k.indices(len(self))))
+        found = self._made[k]
+        if found is None:
+            found = self._made[k] = self._make(k)
+        return found
+
+
+def _agree(forward: Array, backward: Array, enough: int) -> bool:
+    """Whether the points of each curve went to one curve, one to one, both ways, and enough of them to any.
+
+    Of arcs within limits some points may leave the limits.
+    """
     m, n = forward.shape
     if m != n:
         return False
     if m == 0:
         return True
     for counts in (forward, backward):
-        if ((counts > 0).sum(axis=1) != 1).any() or (counts.sum(axis=1) < MOVED).any():
+        if ((counts > 0).sum(axis=1) != 1).any() or (counts.sum(axis=1) < enough).any():
             return False
     there, back = forward.argmax(axis=1), backward.argmax(axis=1)
     return bool((back[there] == np.arange(m)).all())

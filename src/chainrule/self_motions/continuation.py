@@ -11,7 +11,7 @@ import ctypes
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from typing import Any
 
 import numpy as np
@@ -24,16 +24,18 @@ from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 from chainrule.self_motions import tracing
 from chainrule.self_motions.result import ENDS, Component
-from chainrule.self_motions.tracing import Settings, System, Trace
+from chainrule.self_motions.tracing import Settings, System, Trace, quintic
 
 Array = NDArray[Any]
 
 #: Points the kernel may write in one call, at first.
-ROOM = 1 << 15
+ROOM = 1 << 12
 #: Corrections of points between those of the kernel.
 CORRECTIONS = 3
 #: Most corrections, and the largest one (rad), of :func:`project`; and the last one, below which it has arrived.
 PROJECTIONS, STRIDE, ARRIVED = 60, 0.5, 1e-10
+#: Half of the step of difference quotients, rad.
+DIFFERENCE = 1e-5
 
 
 def held_task(arm: Arm, task: str | None) -> str:
@@ -120,17 +122,17 @@ class Held:
     task: str
     scale: float = 1.0
 
-    @property
+    @cached_property
     def unit(self) -> Array:
         """(n,): 1 for revolute joints, the length scale for prismatic ones."""
         return np.asarray(np.where(self.revolute, 1.0, self.scale))
 
-    @property
+    @cached_property
     def revolute(self) -> Array:
         """(n,): which joints are revolute."""
         return np.array([kind == "R" for kind in self.arm.kinds])
 
-    @property
+    @cached_property
     def links(self) -> Array:
         """(n,): the constant distance from each joint to the next one, from the last one to the tip, m."""
         geometry = self.arm.description.geometry
@@ -140,7 +142,7 @@ class Held:
         ahead = (*geometry.placements[1:], geometry.tool)
         return np.array([math.hypot(*transform.translation) for transform in ahead])
 
-    @property
+    @cached_property
     def size(self) -> float:
         """The length that rows are divided by, m: where the guard's balls are about largest."""
         return max(float(self.links.sum()) / 3.0, self.scale * 1e-3) or 1.0
@@ -157,9 +159,36 @@ class Held:
         found: tuple[Array, Array] = self.arm.evaluator(f"continuation_{self.task}_bending")(q, *self._parameters)
         return found
 
-    @property
+    @cached_property
     def _parameters(self) -> tuple[Array, ...]:
         return (self.arm.parameters,) if self.arm.parameters.size else ()
+
+    @cached_property
+    def kernel(self) -> Kernel | None:
+        """The compiled functions, or None where there is no compiler."""
+        return kernel(self.arm.description.model, self.task)
+
+    @cached_property
+    def _numbers(self) -> tuple[Array, ...]:
+        every = (self.arm.parameters, self.unit, self.links, [self.size])
+        return tuple(np.ascontiguousarray(each, float) for each in every)
+
+    @cached_property
+    def _pointers(self) -> tuple[int, ...]:
+        return tuple(each.ctypes.data for each in self._numbers)
+
+    def inputs(self, targets: Array, starts: Array | None = None) -> _Inputs:
+        """What the compiled functions are given: contiguous targets, one for all or one each, and starts."""
+        parameters, *others = self._pointers
+        shared = targets.ndim == len(target_shape(self.arm, self.task))
+        return _Inputs(
+            None if starts is None else starts.ctypes.data,
+            targets.ctypes.data,
+            0 if shared else targets[0].size,
+            parameters if self.arm.parameters.size else None,
+            0,
+            *(entry for pointer in others for entry in (pointer, 0)),
+        )
 
     def system(self, target: Array) -> System:
         """As the NumPy code follows it."""
@@ -178,10 +207,24 @@ class Held:
 
     def corrected(self, q: Array, target: Array, times: int = CORRECTIONS) -> Array:
         """Configurations (k, n) near the curve, moved onto it by Newton's method, each by its shortest way."""
+        if self.kernel is not None:
+            return self.placed(q, target, times)[0]
         q = np.array(q, float)
         for _ in range(times if len(q) else 0):
             q += self.step(q, target)
         return q
+
+    def placed(self, q: Array, target: Array, times: int = CORRECTIONS) -> tuple[Array, Array]:
+        """As :meth:`corrected`, and the unit tangents (k, n) of scaled joints there."""
+        functions = self.kernel
+        if functions is None:
+            q = self.corrected(q, target, times)
+            null = self.bend(q)[0] / self.unit
+            return q, null / np.linalg.norm(null, axis=-1, keepdims=True)
+        q, tangents = np.array(q, float, order="C"), np.empty(q.shape)
+        aim = np.ascontiguousarray(target, float)
+        functions.correct(len(q), ctypes.byref(self.inputs(aim)), times, q.ctypes.data, tangents.ctypes.data)
+        return q, tangents
 
     def step(self, q: Array, target: Array) -> Array:
         """Newton's correction -J^+ e in scaled joints, in the joints' own units, (k, n); 0 where J has lost rank."""
@@ -197,6 +240,22 @@ class Held:
 
 
 @dataclass(frozen=True)
+class Grid:
+    """Places on a curve between which each joint and H rises or falls throughout.
+
+    Attributes:
+        s: (k,) fractions of the length, rising from 0 to 1.
+        q: (k, n) joint values; h: (k,) manipulability.
+        turns: which of the places are extrema.
+    """
+
+    s: Array
+    q: Array
+    h: Array
+    turns: Array
+
+
+@dataclass(frozen=True)
 class Dense:
     """A followed curve as a function of fractions of its length: quintics between its points, then Newton's method.
 
@@ -205,6 +264,9 @@ class Dense:
         target: what is held.
         x, t, k: (rows, n) scaled joints, their first and second derivative by the length.
         s: (rows,) length so far, from 0.
+        h: (rows,) manipulability; None where it was not computed.
+        knots: (e, 3) extrema: of which joint from 0 (n: of H), at which length, and the value; None where not known.
+        source: the curve that this one is an image of, with the signs (n,) and the shift (n,) that make it.
     """
 
     held: Held
@@ -213,11 +275,35 @@ class Dense:
     t: Array
     k: Array
     s: Array
+    h: Array | None = None
+    knots: Array | None = None
+    source: tuple[Dense, Array, Array] | None = None
 
     @property
     def fractions(self) -> Array:
         """Where the stored points lie, as fractions of the length."""
         return self.s / self.s[-1] if self.s[-1] > 0.0 else np.zeros_like(self.s)
+
+    @cached_property
+    def monotone(self) -> Grid:
+        """The stored points with every extremum of a joint or of H between them."""
+        if self.source is not None:
+            grid, sign, shift = self.source[0].monotone, *self.source[1:]
+            return Grid(grid.s, grid.q * sign + shift, grid.h, grid.turns)
+        assert self.h is not None and self.knots is not None
+        joint, at, value = self.knots.T
+        n, joint = self.x.shape[1], joint.astype(int)
+        q = self(at / self.s[-1]) if len(at) else np.zeros((0, n))
+        h = self.held.arm.manipulability(q, task=self.held.task)
+        own = joint < n
+        q[np.flatnonzero(own), joint[own]] = value[own]
+        h[~own] = value[~own]
+        places = np.concatenate([self.s, at])
+        order = np.argsort(places, kind="stable")
+        s = places[order] / self.s[-1]
+        s[0], s[-1] = 0.0, 1.0
+        q = np.concatenate([self.x * self.held.unit, q])[order]
+        return Grid(s, q, np.concatenate([self.h, h])[order], np.flatnonzero(order >= len(self.s)))
 
     def __call__(self, fractions: Array) -> Array:
         """(..., n): the points at fractions (...) of the length, from 0 to 1."""
@@ -238,16 +324,6 @@ class Dense:
         ends = (at <= 0.0, at >= self.s[-1])
         q[ends[0]], q[ends[1]] = self.x[0] * self.held.unit, self.x[-1] * self.held.unit
         return q.reshape(*fractions.shape, len(self.held.unit))
-
-
-def quintic(first: tuple[Array, Array, Array], last: tuple[Array, Array, Array], u: Array) -> Array:
-    """The polynomial of degree 5 with these values, first and second derivatives at 0 and 1."""
-    (x0, d0, c0), (x1, d1, c1) = first, last
-    rise = x1 - x0
-    a = 10 * rise - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
-    b = -15 * rise + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
-    c = 6 * rise - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
-    return np.asarray(x0 + u * (d0 + u * (0.5 * c0 + u * (a + u * (b + u * c)))))
 
 
 # ---- the kernel ------------------------------------------------------------------------------------------------
@@ -282,33 +358,54 @@ class _Inputs(ctypes.Structure):
     )
 
 
+class _Room(ctypes.Structure):
+    """chainrule_curve_room."""
+
+    _fields_ = (
+        ("points", ctypes.c_void_p),
+        ("knots", ctypes.c_void_p),
+        ("most_points", ctypes.c_ssize_t),
+        ("most_knots", ctypes.c_ssize_t),
+    )
+
+
 #: chainrule_curve_result.
 _RESULT = np.dtype(
     {
-        "names": ["length", "closure", "contraction", "lowest", "highest", "points", "steps", "evaluations", "reason"],
-        "formats": [float] * 5 + [np.intp] * 3 + [np.intc],
+        "names": [
+            *("length", "closure", "contraction", "lowest", "highest"),
+            *("points", "knots", "steps", "evaluations", "reason"),
+        ],
+        "formats": [float] * 5 + [np.intp] * 4 + [np.intc],
     },
     align=True,
 )
 
 
+@dataclass(frozen=True)
+class Kernel:
+    """The compiled functions of a model's arms: ``follow`` a curve, ``correct`` configurations near it."""
+
+    follow: Any
+    correct: Any
+
+
 @cache
-def kernel(model: Model, task: str) -> Any:
-    """The compiled function that follows the curves of a model's arms, or None where there is no compiler."""
+def kernel(model: Model, task: str) -> Kernel | None:
+    """The compiled functions of a model's arms, or None where there is no compiler."""
     built = compiling.find(model, f"continuation_{task}")
     if built.library is None:
         return None
-    function = getattr(ctypes.CDLL(str(built.library)), f"{built.prefix}_continuation_{task}_follow")
-    function.restype = ctypes.c_ssize_t
-    pointers = [ctypes.c_void_p] * 3
-    function.argtypes = [
-        ctypes.c_ssize_t,
-        ctypes.POINTER(_Inputs),
-        ctypes.POINTER(_Settings),
-        ctypes.c_ssize_t,
-        *pointers,
+    library, name = ctypes.CDLL(str(built.library)), f"{built.prefix}_continuation_{task}"
+    follow, correct = library[f"{name}_follow"], library[f"{name}_correct"]
+    many, inputs = ctypes.c_ssize_t, ctypes.POINTER(_Inputs)
+    follow.restype, correct.restype = many, None
+    follow.argtypes = [
+        *(many, inputs, ctypes.POINTER(_Settings), ctypes.POINTER(_Room)),
+        *[ctypes.c_void_p] * 2,
     ]
-    return function
+    correct.argtypes = [many, inputs, ctypes.c_int, *[ctypes.c_void_p] * 2]
+    return Kernel(follow, correct)
 
 
 def traces(held: Held, starts: Array, targets: Array, settings: Settings, *, compiled: bool = True) -> Iterator[Trace]:
@@ -323,43 +420,35 @@ def traces(held: Held, starts: Array, targets: Array, settings: Settings, *, com
     """
     starts = np.ascontiguousarray(starts, float)
     shared = targets.ndim == len(target_shape(held.arm, held.task))
-    function = kernel(held.arm.description.model, held.task) if compiled else None
-    if function is None:
+    functions = held.kernel if compiled else None
+    if functions is None:
         for k, start in enumerate(starts):
             yield tracing.Follower(held.system(targets if shared else targets[k]), settings).follow(start / held.unit)
         return
     n, count = held.arm.n, len(starts)
     targets = np.ascontiguousarray(targets, float)
-    fixed = [np.ascontiguousarray(a, float) for a in (held.arm.parameters, held.unit, held.links, [held.size])]
     boxes, results = np.empty((count, n, 2)), np.zeros(count, _RESULT)
     mine = _Settings(settings.longest, settings.singular, settings.steps, settings.direction)
-    points, done = np.empty((ROOM, 3 * n + 3)), 0
+    points, knots, done = np.empty((ROOM, 3 * n + 3)), np.empty((ROOM, 3)), 0
     while done < count:
-        step = 0 if shared else targets[0].size
-        inputs = _Inputs(
-            starts[done:].ctypes.data,
-            targets.ctypes.data if shared else targets[done:].ctypes.data,
-            step,
-            fixed[0].ctypes.data if fixed[0].size else None,
-            0,
-            *(entry for array in fixed[1:] for entry in (array.ctypes.data, 0)),
-        )
-        taken = function(
-            count - done, ctypes.byref(inputs), ctypes.byref(mine), len(points), points.ctypes.data,
-            boxes[done:].ctypes.data, results[done:].ctypes.data,
+        room = _Room(points.ctypes.data, knots.ctypes.data, len(points), len(knots))
+        inputs = held.inputs(targets if shared else targets[done:], starts[done:])
+        taken = functions.follow(
+            count - done, ctypes.byref(inputs), ctypes.byref(mine), ctypes.byref(room), boxes[done:].ctypes.data,
+            results[done:].ctypes.data,
         )  # fmt: skip
         if taken == 0:  # not even one: more room
-            points = np.empty((2 * len(points), 3 * n + 3))
+            points, knots = np.empty((2 * len(points), 3 * n + 3)), np.empty((2 * len(knots), 3))
             continue
-        begin = 0
+        row = knot = 0
         for k in range(done, done + taken):
-            end = begin + int(results[k]["points"])
-            yield _trace(held, starts[k], points[begin:end].copy(), boxes[k], results[k])
-            begin = end
+            rows, edges = row + int(results[k]["points"]), knot + int(results[k]["knots"])
+            yield _trace(held, starts[k], points[row:rows].copy(), knots[knot:edges].copy(), boxes[k], results[k])
+            row, knot = rows, edges
         done += taken
 
 
-def _trace(held: Held, start: Array, rows: Array, box: Array, result: Any) -> Trace:
+def _trace(held: Held, start: Array, rows: Array, knots: Array, box: Array, result: Any) -> Trace:
     n, reason = held.arm.n, tracing.REASONS[result["reason"]]
     span = (float(result["lowest"]), float(result["highest"]))
     if not len(rows):  # nothing but the start
@@ -375,6 +464,7 @@ def _trace(held: Held, start: Array, rows: Array, box: Array, result: Any) -> Tr
         rows[:, 3 * n],
         rows[:, 3 * n + 1],
         rows[:, 3 * n + 2],
+        knots,
         box.copy(),
         span,
         reason,
@@ -474,30 +564,44 @@ def trace_many(
 
 def component(held: Held, forward: Trace, backward: Trace | None, target: Array) -> Component:
     """A traced curve (with what was traced against the null vector, where it does not close) as a result."""
-    parts = [forward] if backward is None else [_reversed(backward), forward]
-    skip = [0, 1][: len(parts)]
-    offset = parts[0].s[-1] if len(parts) > 1 and len(parts[0].s) else 0.0
-    q = np.concatenate([part.q[drop:] for part, drop in zip(parts, skip, strict=True)])
-    t = np.concatenate([part.tangent[drop:] for part, drop in zip(parts, skip, strict=True)])
-    k = np.concatenate([part.bend[drop:] for part, drop in zip(parts, skip, strict=True)])
-    s = np.concatenate([part.s[drop:] + shift for part, drop, shift in zip(parts, skip, (0.0, offset), strict=False)])
+    whole = forward if backward is None else _joined(_reversed(backward), forward)
     closed = backward is None
-    low, high = (np.stack([part.box[:, side] for part in parts]) for side in (0, 1))
-    box = np.stack([low.min(axis=0), high.max(axis=0)], axis=1)
-    error = held.evaluate(q, target)[0]
+    error = held.evaluate(whole.q, target)[0]
     return Component(
-        q=q,
-        length=float(s[-1]),
+        q=whole.q,
+        length=float(whole.s[-1]),
         closed=closed,
         winding=forward.winding,
-        box=box,
-        manipulability=(min(part.span[0] for part in parts), max(part.span[1] for part in parts)),
+        box=whole.box,
+        manipulability=whole.span,
         residual=float(np.abs(error).max()),
         closure=forward.closure,
         ends=() if backward is None else (ENDS[backward.reason], ENDS[forward.reason]),
-        signs=kept_signs(box, held.revolute),
+        signs=kept_signs(whole.box, held.revolute),
         scale=held.scale,
-        points=Dense(held, target, q / held.unit, t, k, s),
+        points=Dense(held, target, whole.q / held.unit, whole.tangent, whole.bend, whole.s, whole.h, whole.knots),
+    )
+
+
+def _joined(first: Trace, last: Trace) -> Trace:
+    """Two traces, the last from where the first ends."""
+    offset = first.s[-1] if len(first.s) else 0.0
+
+    def both(a: Array, b: Array) -> Array:
+        return np.concatenate([a, b[1:]])
+
+    low, high = np.minimum(first.box, last.box), np.maximum(first.box, last.box)
+    return replace(
+        last,
+        q=both(first.q, last.q),
+        tangent=both(first.tangent, last.tangent),
+        bend=both(first.bend, last.bend),
+        s=both(first.s, last.s + offset),
+        h=both(first.h, last.h),
+        slope=both(first.slope, last.slope),
+        knots=np.concatenate([first.knots, last.knots + np.array([0.0, offset, 0.0])]),
+        box=np.stack([low[:, 0], high[:, 1]], axis=1),
+        span=(min(first.span[0], last.span[0]), max(first.span[1], last.span[1])),
     )
 
 
@@ -509,6 +613,7 @@ def _reversed(trace: Trace) -> Trace:
         tangent=-trace.tangent[::-1],
         bend=trace.bend[::-1],
         s=trace.s[-1] - trace.s[::-1],
+        knots=np.stack([trace.knots[:, 0], trace.s[-1] - trace.knots[:, 1], trace.knots[:, 2]], axis=1),
         h=trace.h[::-1],
         slope=-trace.slope[::-1],
     )
@@ -517,7 +622,7 @@ def _reversed(trace: Trace) -> Trace:
 def kept_signs(box: Array, revolute: Array) -> dict[str, int]:
     """Signs of sin q_i (of q_i itself for prismatic joints) that hold in the whole range of a joint."""
     found = {}
-    for i, ((low, high), turning) in enumerate(zip(box, revolute, strict=True), 1):
+    for i, ((low, high), turning) in enumerate(zip(box.tolist(), revolute.tolist(), strict=True), 1):
         half = math.floor(low / math.pi) if turning else (0 if low > 0.0 else -1)
         inside = low > half * math.pi and high < (half + 1) * math.pi if turning else low > 0.0 or high < 0.0
         if inside:
@@ -526,7 +631,13 @@ def kept_signs(box: Array, revolute: Array) -> dict[str, int]:
 
 
 def project(
-    arm: Arm, q: ArrayLike, target: ArrayLike, task: str | None = None, *, scale: float = 1.0
+    arm: Arm,
+    q: ArrayLike,
+    target: ArrayLike,
+    task: str | None = None,
+    *,
+    scale: float = 1.0,
+    extremal: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
     """Configurations (k, n) moved to the target by damped Newton steps: where they arrive, and whether they do.
 
@@ -539,6 +650,8 @@ def project(
         target: one target.
         task: what is held; the arm's default task when absent.
         scale: m that count as one radian of a prismatic joint.
+        extremal: (k,) a joint for each configuration, from 1, that is to be extremal on the curve where it arrives:
+            the null vector's component is one equation more.
 
     Returns:
         configurations (k, n), not wrapped, and (k,) whether each is on the target.
@@ -556,23 +669,35 @@ def project(
     found = np.array(real_array(q, "q"))
     if found.ndim != 2 or found.shape[1] != arm.n:
         raise InputError(f"q has shape {found.shape}; (k, {arm.n}) is accepted")
+    joints = None if extremal is None else np.asarray(extremal, int) - 1
     spatial = held.system(aim).spatial
     going = np.ones(len(found), bool)
     for _ in range(PROJECTIONS):
         index = np.flatnonzero(going)
         if not len(index):
             break
-        step = _damped(held, found[index], aim, spatial)
+        step = _damped(held, found[index], aim, spatial, None if joints is None else joints[index])
         found[index] += step
         going[index] = np.linalg.norm(step / held.unit, axis=1) > ARRIVED
     error = np.abs(held.evaluate(found, aim)[0]).max(axis=1) if len(found) else np.zeros(0)
     near = ~going & (error < 1e-9 * max(held.size, 1.0))
+    near |= error < 1e-14 * max(held.size, 1.0)  # at a singular posture steps go on after the error has vanished
+    if joints is not None and len(found):
+        near &= np.abs(_slope(held, found, joints)) < 1e-6
     if spatial and len(found):  # the skew part vanishes at half a turn too
         near &= np.einsum("kij,ij->k", arm.pose(found)[:, :3, :3], aim[:3, :3]) > 0.0
     return found, near
 
 
-def _damped(held: Held, q: Array, target: Array, spatial: bool) -> Array:
+def _slope(held: Held, q: Array, joints: Array) -> Array:
+    """(..., k): at configurations (..., k, n) the unit tangent's component of a joint each."""
+    null = held.bend(q)[0] / held.unit
+    with np.errstate(all="ignore"):
+        found = null[..., np.arange(len(joints)), joints] / np.linalg.norm(null, axis=-1)
+    return np.asarray(np.nan_to_num(found, nan=1.0))
+
+
+def _damped(held: Held, q: Array, target: Array, spatial: bool, joints: Array | None = None) -> Array:
     e, jacobian, _ = held.evaluate(q, target)
     if spatial:
         from scipy.spatial.transform import Rotation
@@ -581,12 +706,19 @@ def _damped(held: Held, q: Array, target: Array, spatial: bool) -> Array:
         e[:, 3:] = Rotation.from_matrix(held.arm.pose(q)[:, :3, :3] @ target[:3, :3].T).as_rotvec()
     rows = np.where(np.arange(e.shape[1]) < held.system(target).positions, 1.0 / held.size, 1.0)
     scaled = jacobian * held.unit * rows[:, np.newaxis]
+    e = e * rows
+    if joints is not None:
+        steps = (DIFFERENCE * np.eye(held.arm.n) * held.unit)[:, np.newaxis]
+        slopes = _slope(held, np.concatenate([q + steps, q - steps, q[np.newaxis]]), joints)
+        change = np.subtract(*np.split(slopes[:-1], 2)).T / (2.0 * DIFFERENCE)
+        scaled = np.concatenate([scaled, change[:, np.newaxis]], axis=1)
+        e = np.concatenate([e, slopes[-1][:, np.newaxis]], axis=1)
     gram = scaled @ np.swapaxes(scaled, -1, -2)
-    error = np.linalg.norm(e * rows, axis=1)
+    error = np.linalg.norm(e, axis=1)
     damping = 1e-3 * np.minimum(error, 1.0) ** 2  # Levenberg and Marquardt: vanishes with the error's square
     damping = damping + 1e-15 * np.trace(gram, axis1=-2, axis2=-1) + 1e-300  # what rounding cannot tell from rank lost
     gram += damping[:, np.newaxis, np.newaxis] * np.eye(e.shape[1])
-    y = np.linalg.solve(gram, (e * rows)[..., np.newaxis])
+    y = np.linalg.solve(gram, e[..., np.newaxis])
     step = -(np.swapaxes(scaled, -1, -2) @ y)[..., 0]
     length = np.linalg.norm(step, axis=1, keepdims=True)
     return np.asarray(step * np.minimum(1.0, STRIDE / np.maximum(length, 1e-300)) * held.unit)

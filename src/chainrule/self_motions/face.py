@@ -122,7 +122,7 @@ def _result(arm: Arm, task: str, target: Array, found: finding.Found, limits: bo
     """The curves as a result, with what limits leave of them."""
     curves = found.components
     broken = any("singular" in end for curve in curves for end in _reasons(curve))
-    status = "unreachable" if not curves else "singular" if found.detail or broken else "regular"
+    status = "singular" if found.detail or broken else "regular" if curves else "unreachable"
     detail = found.detail or ("a curve runs into a singular configuration" if broken else "")
     if broken:  # starts at singular configurations lead nowhere: the pieces between them are what is known
         curves = tuple(curve for curve in curves if curve.closed or curve.length > NOTHING)

@@ -9,8 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.self_motions.continuation import Dense, Held, quintic
+from chainrule.self_motions.bundle import Bundle
+from chainrule.self_motions.continuation import Dense, Held
 from chainrule.self_motions.result import Component
+from chainrule.self_motions.tracing import quintic
 
 Array = NDArray[Any]
 
@@ -34,16 +36,16 @@ class Known:
     target: Array
     components: list[Component] = field(default_factory=list)
     _tables: list[Dense] = field(default_factory=list)
+    _bundle: Bundle | None = None
     _tree: Any = None
     _owner: Any = None
-    _place: Any = None
     _gap: Any = None
 
     def add(self, component: Component) -> None:
         """One more curve."""
         self.components.append(component)
-        self._tables.append(_table(self.held, self.target, component))
-        self._tree = None
+        self._tables.append(table(self.held, self.target, component))
+        self._bundle = None
 
     def embedded(self, q: Array) -> Array:
         """(k, 2n): cosines and sines of angles; shifts over the length scale, and 0."""
@@ -57,17 +59,15 @@ class Known:
         them to the foot of the configuration; what is left of the distance across the curve decides.
         """
         found = np.full(len(q), -1)
-        tables = self._tables
-        if not len(q) or not tables:
+        if not len(q) or not self._tables:
             return found
-        if self._tree is None:
+        if self._bundle is None:
             from scipy.spatial import cKDTree
 
-            points = np.concatenate([table.x for table in tables]) * self.held.unit
-            self._owner = np.concatenate([np.full(len(table.s), k) for k, table in enumerate(self._tables)])
-            self._place = np.concatenate([np.arange(len(table.s)) for table in tables])
-            self._gap = np.array([np.diff(table.s).max(initial=0.0) for table in tables]) + ON
-            self._tree = cKDTree(self.embedded(points))
+            self._bundle = Bundle.of(self.held, self._tables)
+            self._owner = self._bundle.owner
+            self._gap = np.array([np.diff(each.s).max(initial=0.0) for each in self._tables]) + ON
+            self._tree = cKDTree(self.embedded(self._bundle.x * self.held.unit))
         tried = min(TRIED, len(self._owner))
         far, near = self._tree.query(self.embedded(q), k=tried)
         far, near = far.reshape(len(q), tried), near.reshape(len(q), tried)
@@ -76,24 +76,19 @@ class Known:
             open_ = np.flatnonzero((found < 0) & close[:, column])
             if not len(open_):
                 continue
-            owners = self._owner[near[open_, column]]
-            for k in np.unique(owners):
-                mine = open_[owners == k]
-                table = self._tables[k]
-                apart = self._distance(table, self._place[near[mine, column]], q[mine])
-                found[mine[apart < ON]] = k
+            rows = near[open_, column]
+            on = self._distance(self._bundle, rows, q[open_]) < ON
+            found[open_[on]] = self._owner[rows[on]]
         return found
 
-    def _distance(self, table: Dense, place: Array, q: Array) -> Array:
-        """(k,): how far configurations are from a curve near its points ``place``, rad."""
-        x = q / self.held.unit
-        if len(table.s) < 2:
-            return np.asarray(np.linalg.norm(self._wrapped(x - table.x[place]), axis=1))
-        at = table.s[place]
+    def _distance(self, bundle: Bundle, rows: Array, q: Array) -> Array:
+        """(k,): how far configurations are from a curve near its stored points ``rows``, rad."""
+        x, curve = q / self.held.unit, self._owner[rows]
+        at = bundle.s[rows] - bundle.offset[curve]
         for _ in range(4):
-            c, t = _point(table, at)
+            c, t = _point(bundle, curve, at)
             at = at + (t * self._wrapped(x - c)).sum(axis=1)
-        c, t = _point(table, at)
+        c, t = _point(bundle, curve, at)
         left = self._wrapped(x - c)
         near = np.linalg.norm(left, axis=1) < 1e-3
         if near.any():
@@ -108,20 +103,17 @@ class Known:
         return np.asarray(np.where(self.held.revolute, x - turn * np.rint(x / turn), x))
 
 
-def _point(table: Dense, at: Array) -> tuple[Array, Array]:
+def _point(bundle: Bundle, curve: Array, at: Array) -> tuple[Array, Array]:
     """Points (k, n) of the quintics and unit tangents there; ``at`` beyond the ends goes on with the next round."""
-    total = table.s[-1]
-    at = np.mod(at, total)
-    j = np.clip(np.searchsorted(table.s, at, side="right") - 1, 0, len(table.s) - 2)
-    width = (table.s[j + 1] - table.s[j])[:, np.newaxis]
-    u = (at - table.s[j])[:, np.newaxis] / width
-    first = (table.x[j], table.t[j] * width, table.k[j] * width**2)
-    last = (table.x[j + 1], table.t[j + 1] * width, table.k[j + 1] * width**2)
-    t = table.t[j] * (1.0 - u) + table.t[j + 1] * u
-    return quintic(first, last, u), t / np.linalg.norm(t, axis=1, keepdims=True)
+    row, width, u = bundle.between(curve, np.mod(at, bundle.length[curve]))
+    w, u, after = width[:, np.newaxis], u[:, np.newaxis], row + 1
+    first = (bundle.x[row], bundle.t[row] * w, bundle.k[row] * w**2)
+    last = (bundle.x[after], bundle.t[after] * w, bundle.k[after] * w**2)
+    t = bundle.t[row] * (1.0 - u) + bundle.t[after] * u
+    return quintic(first, last, u), t / np.maximum(np.linalg.norm(t, axis=1, keepdims=True), 1e-300)
 
 
-def _table(held: Held, target: Array, component: Component) -> Dense:
+def table(held: Held, target: Array, component: Component) -> Dense:
     """Points, tangents and bends along a curve."""
     if isinstance(component.points, Dense):
         return component.points

@@ -24,16 +24,19 @@ from numpy.typing import ArrayLike, NDArray
 from chainrule.arm import Arm
 from chainrule.errors import InputError
 from chainrule.inputs import real_array
-from chainrule.self_motions.continuation import Held, held_task
+from chainrule.self_motions.bundle import Bundle
+from chainrule.self_motions.continuation import Dense, Grid, Held, held_task, target_of
+from chainrule.self_motions.identity import table
 from chainrule.self_motions.result import Component, limit_reason
 
 Array = NDArray[Any]
 
 TURN = 2.0 * math.pi
-#: Points looked at on curves that bring none of their own.
-SAMPLES = 512
 #: Parts of an interval between points in which a slope is looked at for a change of sign.
 PARTS = 8
+#: Steps of Newton's method on a polynomial, and on the curve; the last one of those, where the
+#: tangent's component is above a bound and where it is not.
+POLYNOMIAL, NEWTON, STEEP, SETTLED, LAST = 4, 4, 1e-2, 1e-8, 1e-13
 #: Crossings nearer to each other than this share of the length are one.
 SAME = 1e-13
 #: More combinations of turns within the limits than this are refused.
@@ -57,61 +60,42 @@ class Crossing:
     kind: str
 
 
-@dataclass(frozen=True)
-class Course:
-    """The joints and H along a curve, between whose knots each of them rises or falls throughout.
+def _known(held: Held, component: Component) -> Dense:
+    """The table of a curve, its extrema included: of followed curves they are known, of others looked for here."""
+    own = component.points if isinstance(component.points, Dense) else None
+    if own is not None and own.h is not None:
+        return own
+    found = table(held, target_of(held.arm, component.q[0], held.task), component)
+    s = found.s / found.s[-1]
+    values, slopes, bends = _derivatives(held, component.length, found.x * held.unit, found.t)
+    knots = [np.zeros((0, 3))]
+    for i in range(held.arm.n + 1):
+        begin, end = _brackets(s, values[:, i], slopes[:, i], bends[:, i] if i < held.arm.n else None)
 
-    Attributes:
-        component: the curve.
-        s: (k,) fractions of its length, from 0 to 1.
-        q: (k, n) joint values; h: (k,) manipulability.
-        knots: for each joint, then for H, fractions (rising, from 0 to 1) and values, extrema included.
-    """
+        def along(at: Array) -> tuple[Array, Array, Array]:
+            q = component.at(at)
+            ahead = component.at(np.minimum(at + 1e-4, 1.0)) - component.at(np.maximum(at - 1e-4, 0.0))
+            return _derivatives(held, component.length, q, ahead)
 
-    component: Component
-    s: Array
-    q: Array
-    h: Array
-    knots: tuple[tuple[Array, Array], ...]
-
-
-def course(arm: Arm, component: Component, task: str | None = None) -> Course:
-    """A curve with every extremum of each joint and of H."""
-    held = Held(arm, held_task(arm, task), component.scale)
-    own = getattr(component.points, "fractions", None)
-    s = np.linspace(0.0, 1.0, SAMPLES + 1) if own is None else np.unique(np.clip(own, 0.0, 1.0))
-    s[0], s[-1] = 0.0, 1.0
-    q = component.at(s)
-    sense = _sense(held, component, s, q)
-    values, slopes, bends = _derivatives(held, component.length, sense, q)
-    knots = []
-    for i in range(arm.n + 1):
-        bend = bends[:, i] if i < arm.n else None
-        begin, end = _brackets(s, values[:, i], slopes[:, i], bend)
-
-        def slope(at: Array, i: int = i) -> Array:
-            return np.asarray(_derivatives(held, component.length, sense, component.at(at))[1][:, i])
+        def slope(at: Array, _: Array, i: int = i) -> Array:
+            return along(at)[1][:, i]
 
         places = roots(slope, begin, end)
-        found = _derivatives(held, component.length, sense, component.at(places))[0][:, i]
-        where = np.concatenate([s, places])
-        order = np.argsort(where, kind="stable")
-        knots.append((where[order], np.concatenate([values[:, i], found])[order]))
-    return Course(component, s, q, values[:, -1], tuple(knots))
+        if len(places):
+            knots.append(np.stack([np.full(len(places), i), places * found.s[-1], along(places)[0][:, i]], axis=1))
+    return replace(found, h=values[:, -1], knots=np.concatenate(knots))
 
 
-def _sense(held: Held, component: Component, s: Array, q: Array) -> float:
-    """Whether the curve runs along the null vector (1) or against it (-1)."""
-    null = held.bend(q[:-1])[0] / held.unit
-    return math.copysign(1.0, float(((q[1:] - q[:-1]) / held.unit * null).sum()))
+def _derivatives(held: Held, length: float, q: Array, ahead: Array) -> tuple[Array, Array, Array]:
+    """Values (k, n + 1) of the joints and H, their first derivatives by the fraction s, and the joints' second ones.
 
-
-def _derivatives(held: Held, length: float, sense: float, q: Array) -> tuple[Array, Array, Array]:
-    """Values (k, n + 1) of the joints and H, their first derivatives by the fraction s, and the joints' second ones."""
+    ``ahead`` (k, n) is the curve's sense at each place.
+    """
     null, bending = held.bend(q)
     scaled, change = null / held.unit, bending / held.unit
     size = np.linalg.norm(scaled, axis=-1, keepdims=True)
     h = np.linalg.norm(null, axis=-1, keepdims=True)
+    sense = np.copysign(1.0, (ahead * scaled).sum(axis=-1, keepdims=True))
     with np.errstate(all="ignore"):
         t = sense * scaled / size
         k = (change - t * (t * change).sum(axis=-1, keepdims=True)) / size**2
@@ -137,8 +121,10 @@ def _brackets(s: Array, value: Array, slope: Array, bend: Array | None) -> tuple
     return begin, s[interval] + u[part + 1] * width[interval, 0]
 
 
-def roots(function: Callable[[Array], Array], begin: Array, end: Array, tolerance: float = 1e-15) -> Array:
+def roots(function: Callable[..., Array], begin: Array, end: Array, tolerance: float = 1e-15) -> Array:
     """Roots of a function in many intervals at once, by false position (Illinois) with bisection every third time.
+
+    The function is given places and the indices of their intervals.
 
     An interval at whose ends the function has one sign gives the end where it is smaller: a slope that the polynomial
     between two points has changing its sign there, but the curve has not.
@@ -146,7 +132,8 @@ def roots(function: Callable[[Array], Array], begin: Array, end: Array, toleranc
     a, b = np.array(begin, float), np.array(end, float)
     if not len(a):
         return a
-    fa, fb = function(a), function(b)
+    every = np.arange(len(a))
+    fa, fb = function(a, every), function(b, every)
     flat = (fa > 0.0) == (fb > 0.0)
     best = np.where(np.abs(fa) <= np.abs(fb), a, b)
     going = ~flat
@@ -159,7 +146,7 @@ def roots(function: Callable[[Array], Array], begin: Array, end: Array, toleranc
             middle = left - f * (right - left) / (g - f)
         halved = (turn % 3 == 2) | ~((middle > left) & (middle < right))
         middle = np.where(halved, 0.5 * (left + right), middle)
-        value = function(middle)
+        value = function(middle, index)
         upper = (value > 0.0) == (g > 0.0)
         best[index] = middle
         a[index], fa[index] = np.where(upper, left, middle), np.where(upper, np.where(halved, f, 0.5 * f), value)
@@ -177,27 +164,103 @@ def _bounds(arm: Arm, limits: ArrayLike | None) -> Array:
     return found
 
 
-def _hits(line: Course, joint: int, bound: float, revolute: bool) -> Array:
-    """Fractions at which a joint is at a bound, modulo whole turns for revolute joints; grazing extrema included."""
-    where, value = line.knots[joint]
-    if not math.isfinite(bound):
+@dataclass(frozen=True)
+class _Hits:
+    """Where joints are at stops, modulo whole turns for revolute joints: curve, fraction, joint from 0, which stop."""
+
+    curve: Array
+    s: Array
+    joint: Array
+    side: Array
+
+
+def _hits(grids: Sequence[Grid], bundle: Bundle, bounds: Array) -> _Hits:
+    """All of them on all curves, extrema that graze a stop included, by curve and fraction."""
+    q, s = np.concatenate([grid.q for grid in grids]), np.concatenate([grid.s for grid in grids])
+    begin = np.cumsum([0, *(len(grid.s) for grid in grids)])
+    curve, revolute = np.repeat(np.arange(len(grids)), np.diff(begin)), bundle.held.revolute
+    finite = np.isfinite(bounds)
+    aims = np.where(finite, bounds, 0.0)
+    turns = (q[:, :, np.newaxis] - aims) / TURN  # (k, n, 2)
+    cell = np.floor(turns)
+    cell[:, ~revolute] = np.minimum(np.maximum(cell[:, ~revolute], -1.0), 0.0)
+    cross = (cell[1:] != cell[:-1]) & finite
+    cross[begin[1:-1] - 1] = False
+    row, joint, side = np.nonzero(cross)
+    whole = np.where(revolute[joint], np.maximum(cell[row, joint, side], cell[row + 1, joint, side]), 0.0)
+    aim = bounds[joint, side] + TURN * whole
+    place = _reached(bundle, curve[row], s[row], s[row + 1], q[row, joint], q[row + 1, joint], joint, aim)
+    edge = np.concatenate([grid.turns + start for grid, start in zip(grids, begin, strict=False)])
+    apart = np.abs(turns[edge] - np.where(revolute[:, np.newaxis], np.rint(turns[edge]), 0.0)) * TURN
+    touching, its_joint, its_side = np.nonzero(
+        (apart <= 1e-13 * np.maximum(1.0, np.abs(q[edge][:, :, np.newaxis]))) & finite
+    )
+    found = (
+        np.concatenate([curve[row], curve[edge[touching]]]),
+        np.concatenate([place, s[edge[touching]]]),
+        np.concatenate([joint, its_joint]),
+        np.concatenate([side, its_side]),
+    )
+    order = np.lexsort((found[1], found[0]))
+    return _Hits(*(part[order] for part in found))
+
+
+def _reached(
+    bundle: Bundle, curve: Array, low: Array, high: Array, first: Array, last: Array, joint: Array, aim: Array
+) -> Array:
+    """(m,): the fractions between low and high at which joints are at their aims, which they pass once in between.
+
+    The root of the curve's own polynomial, then Newton's method on the curve; where that leaves the bracket or does not
+    settle (beside an extremum), false position.
+    """
+    if not len(curve):
         return np.zeros(0)
-    if revolute:
-        turns = np.arange(
-            math.ceil((value.min() - bound) / TURN - 1e-9), math.floor((value.max() - bound) / TURN + 1e-9) + 1
-        )
-    else:
-        turns = np.zeros(1)
-    found = []
-    for aim in bound + TURN * turns:
-        above = value > aim
-        j = np.flatnonzero(above[:-1] != above[1:])
+    each, unit, length = np.arange(len(curve)), bundle.held.unit, bundle.length[curve]
+    row, width, begin = bundle.between(curve, 0.5 * (low + high) * length)
+    begin = (bundle.s[row] - bundle.offset[curve]) / length
+    share, after = width / length, row + 1
+    x = [part[rows, joint] * unit[joint] * scale for rows in (row, after) for part, scale in
+         ((bundle.x, 1.0), (bundle.t, width), (bundle.k, width**2))]  # fmt: skip
 
-        def beyond(at: Array, aim: float = aim) -> Array:
-            return np.asarray(line.component.at(at)[:, joint] - aim)
+    rise, middle = x[3] - x[0], 0.5 * (x[5] + x[2])
+    powers = (
+        *(x[0] - aim, x[1], 0.5 * x[2]),
+        10.0 * rise - 6.0 * x[1] - 4.0 * x[4] + 0.5 * x[5] - 1.5 * x[2],
+        -15.0 * rise + 8.0 * x[1] + 7.0 * x[4] + 1.5 * x[2] - x[5],
+        6.0 * rise - 3.0 * (x[1] + x[4]) + middle - x[2],
+    )
+    first_u, last_u = (low - begin) / share, (high - begin) / share
+    u = first_u + (last_u - first_u) * (first - aim) / (first - last)
+    for _ in range(POLYNOMIAL):
+        value, slope = powers[5], np.zeros(len(u))
+        for power in powers[4::-1]:
+            value, slope = value * u + power, slope * u + value
+        with np.errstate(all="ignore"):
+            ahead = u - value / slope
+        u = np.where((ahead >= first_u) & (ahead <= last_u), ahead, u)
+    s = np.minimum(np.maximum(begin + u * share, low), high)
+    rising, settled = np.sign(last - first), np.zeros(len(s), bool)
+    best: Array = s
+    for _ in range(NEWTON):
+        q, t = bundle.at(curve, best * length, 2)
+        slope = np.abs(t[each, joint])
+        with np.errstate(all="ignore"):
+            step = (q[each, joint] - aim) / (rising * slope * unit[joint] * length)
+        ahead = best - step
+        inside = (ahead >= low) & (ahead <= high)
+        # what a step leaves is of the order of its square over the slope
+        settled = inside & (np.abs(step) <= np.where(slope > STEEP, SETTLED, LAST))
+        best = np.where(inside, ahead, best)
+        if settled.all():
+            return best
+    open_ = np.flatnonzero(~settled)
 
-        found += [roots(beyond, where[j], where[j + 1]), where[np.abs(value - aim) <= 1e-13 * max(1.0, abs(aim))]]
-    return np.concatenate(found) if found else np.zeros(0)
+    def beyond(at: Array, which: Array) -> Array:
+        k = open_[which]
+        return np.asarray(bundle.at(curve[k], at * length[k])[0][np.arange(len(k)), joint[k]] - aim[k])
+
+    best[open_] = roots(beyond, low[open_], high[open_])
+    return best
 
 
 def _turns(q: Array, bounds: Array, revolute: Array) -> Array:
@@ -226,20 +289,20 @@ def crossings(
         task: what is held on it; the arm's default task when absent.
         limits: (n, 2), infinite where there is none; the arm's own when absent.
     """
-    bounds, line = _bounds(arm, limits), course(arm, component, task)
-    found = []
-    for i, kind in enumerate(arm.kinds):
-        for side in (0, 1):
-            for s in np.unique(_hits(line, i, bounds[i, side], kind == "R")):
-                apart = np.array([s - 1e-9, s + 1e-9])
-                apart = apart if component.closed else np.clip(apart, 0.0, 1.0)
-                q = component.at(apart)
-                revolute = np.array([each == "R" for each in arm.kinds])
-                allowed = _turns(q, bounds, revolute)[:, i]
-                before, after = allowed[:, 0] <= allowed[:, 1]
-                word = "touches" if before == after else "leaves" if before else "enters"
-                found.append(Crossing(float(s), i + 1, bool(side), word))
-    return tuple(sorted(found, key=lambda crossing: crossing.s))
+    bounds = _bounds(arm, limits)
+    grids, bundle = _grids(arm, held_task(arm, task), [component])
+    revolute = bundle.held.revolute
+    hits = _hits(grids, bundle, bounds)
+    apart = np.stack([hits.s - 1e-9, hits.s + 1e-9], axis=1)
+    apart = apart if component.closed else np.clip(apart, 0.0, 1.0)
+    allowed = _turns(component.at(apart), bounds, revolute)
+    inside = allowed[..., 0] <= allowed[..., 1]
+    found: dict[tuple[float, int, int], Crossing] = {}
+    for k, (s, joint, side) in enumerate(zip(hits.s.tolist(), hits.joint.tolist(), hits.side.tolist(), strict=True)):
+        before, after = inside[k, :, joint]
+        word = "touches" if before == after else "leaves" if before else "enters"
+        found.setdefault((s, joint, side), Crossing(s, joint + 1, bool(side), word))
+    return tuple(found.values())
 
 
 def feasible(
@@ -268,50 +331,116 @@ def feasible(
         ([-1.0, 1.5], 0.446)
     """
     task, bounds = held_task(arm, task), _bounds(arm, limits)
-    return tuple(part for index, each in enumerate(components) for part in _parts(arm, task, bounds, index, each))
-
-
-def _parts(arm: Arm, task: str, bounds: Array, index: int, component: Component) -> list[Component]:
     revolute = np.array([kind == "R" for kind in arm.kinds])
-    if len(component.q) < 2 or component.length == 0.0:
-        allowed = _turns(component.q[:1], bounds, revolute)[0]
-        if (allowed[:, 0] > allowed[:, 1]).any():
-            return []
-        shift = TURN * np.clip(0, allowed[:, 0], allowed[:, 1])
-        return [
-            replace(component, q=component.q + shift, box=component.box + shift[:, np.newaxis], of=index, points=None)
-        ]
-    line = course(arm, component, task)
-    hits = [_hits(line, i, bound, bool(revolute[i])) for i in range(arm.n) for bound in bounds[i]]
-    inner = np.unique(np.concatenate(hits))
-    inner = inner[(inner > SAME) & (inner < 1.0 - SAME)]
-    cuts = np.concatenate([[0.0], inner[np.diff(inner, prepend=0.0) > SAME], [1.0]])
-    allowed = _turns(component.at((cuts[:-1] + cuts[1:]) / 2.0), bounds, revolute)
-    limited = np.isfinite(bounds).any(axis=1) & revolute
-    winding = np.where(limited, component.winding, 0) if component.closed else np.zeros(arm.n, int)
-    runs = _runs(allowed, winding, component.closed)
-    found = []
-    for run in runs:
-        shift = TURN * np.array(run[0][1], float)
+    every: dict[int, list[Component]] = {}
+    moving = []
+    near = _meets(np.array([each.box for each in components]).reshape(-1, arm.n, 2), bounds, revolute)
+    for index, each in enumerate(components):
+        if len(each.q) < 2 or each.length == 0.0:
+            every[index] = _point(each, bounds, revolute, index)
+        elif near[index]:
+            moving.append(index)
+    if moving:
+        curves = [components[index] for index in moving]
+        grids, bundle = _grids(arm, task, curves)
+        hits = _hits(grids, bundle, bounds)
+        begin = np.searchsorted(hits.curve, np.arange(len(moving) + 1))
+        cuts = [_cuts(hits.s[begin[k] : begin[k + 1]]) for k in range(len(moving))]
+        cells = np.repeat(np.arange(len(moving)), [len(each) - 1 for each in cuts])
+        middles = np.concatenate([(each[1:] + each[:-1]) / 2.0 for each in cuts])
+        allowed = _turns(bundle.at(cells, middles * bundle.length[cells])[0], bounds, revolute)
+        begin = np.searchsorted(cells, np.arange(len(moving) + 1))
+        limited = np.isfinite(bounds).any(axis=1) & revolute
+        parts = [_parts(curve, cuts[k], allowed[begin[k] : begin[k + 1]], limited) for k, curve in enumerate(curves)]
+        spans = np.array([part[:2] for each in parts for part in each]).reshape(-1, 2)
+        of = np.repeat(np.arange(len(moving)), [len(each) for each in parts])
+        edges = _edges(bundle, curves, of, spans)
+        ends = iter(zip(edges, arm.manipulability(edges, task=task), strict=True))
+        for k, index in enumerate(moving):
+            every[index] = [_arc(curves[k], grids[k], part, *next(ends), index) for part in parts[k]]
+    return tuple(part for index in sorted(every) for part in every[index])
+
+
+#: From where to where (fractions of a closed curve's length beyond 1 too), moved by which whole turns, why it ends; a
+#: curve left whole runs from 0 to 1 and ends nowhere.
+Part = tuple[float, float, tuple[int, ...], tuple[str, ...]]
+
+
+def _grids(arm: Arm, task: str, curves: Sequence[Component]) -> tuple[list[Grid], Bundle]:
+    """Places on each curve between which all joints rise or fall throughout, and the curves as one table."""
+    first = curves[0].points
+    held = first.held if isinstance(first, Dense) else Held(arm, task, curves[0].scale)
+    tables = [_known(held, curve) for curve in curves]
+    return [table.monotone for table in tables], Bundle.of(held, tables)
+
+
+def _edges(bundle: Bundle, curves: Sequence[Component], of: Array, spans: Array) -> Array:
+    """(parts, 2, n): joint values at both ends of parts of curves."""
+    if not len(of):
+        return np.zeros((0, 2, bundle.x.shape[1]))
+    rounds = np.where([curves[k].closed for k in of], np.floor(spans).T, 0.0).T
+    curve, at = np.repeat(of, 2), ((spans - rounds) * bundle.length[of][:, np.newaxis]).ravel()
+    q = bundle.at(curve, at)[0].reshape(len(of), 2, -1)
+    winding = np.array([curves[k].winding for k in of])
+    return np.asarray(q + TURN * rounds[..., np.newaxis] * winding[:, np.newaxis])
+
+
+def _point(component: Component, bounds: Array, revolute: Array, index: int) -> list[Component]:
+    """A single point, moved by whole turns into the limits; nothing where that is not possible."""
+    allowed = _turns(component.q[:1], bounds, revolute)[0]
+    if (allowed[:, 0] > allowed[:, 1]).any():
+        return []
+    shift = TURN * np.clip(0, allowed[:, 0], allowed[:, 1])
+    return [replace(component, q=component.q + shift, box=component.box + shift[:, np.newaxis], of=index, points=None)]
+
+
+def _meets(boxes: Array, bounds: Array, revolute: Array) -> Array:
+    """(k,): whether each joint comes within its limits somewhere in a box (k, n, 2), whole turns apart if revolute."""
+    with np.errstate(invalid="ignore"):
+        low, high = bounds[:, 0] - boxes[..., 1], bounds[:, 1] - boxes[..., 0]  # a shift between these brings it there
+        turned = np.floor(high / TURN + 1e-9) >= np.ceil(low / TURN - 1e-9)
+    free = ~np.isfinite(bounds).all(axis=1)
+    return np.asarray(np.where(revolute, free | turned, (low <= 1e-9) & (high >= -1e-9)).all(axis=-1))
+
+
+def _cuts(hits: Array) -> Array:
+    """0, the places between, and 1; places that are one only once."""
+    inner = hits[(hits > SAME) & (hits < 1.0 - SAME)]
+    return np.concatenate([[0.0], inner[np.diff(inner, prepend=0.0) > SAME], [1.0]])
+
+
+def _parts(component: Component, cuts: Array, allowed: Array, limited: Array) -> list[Part]:
+    """What is left of one curve between its cuts, given the whole turns allowed in each cell."""
+    if (allowed[..., 0] > allowed[..., 1]).any(axis=1).all():
+        return []
+    winding = tuple((component.winding * limited).tolist() if component.closed else [0] * len(limited))
+    found: list[Part] = []
+    places = cuts.tolist()
+    for run in _runs(allowed, winding, component.closed):
+        turns = run[0][1]
         if run[0] == run[-1] and len(run) > 1:  # round and round
-            whole = replace(component, q=component.q + shift, box=component.box + shift[:, np.newaxis], of=index)
-            found.append(replace(whole, points=_shifted(component, 0.0, 1.0, shift)))
+            found.append((0.0, 1.0, turns, ()))
             continue
-        begin = cuts[run[0][0]]
-        end = begin + sum(cuts[cell + 1] - cuts[cell] for cell, _ in run)
+        rounds, last_cut = divmod(run[0][0] + len(run), len(allowed))
         ends = tuple(_reason(component, allowed, winding, run, last) for last in (False, True))
-        found.append(_arc(line, float(begin), float(end), shift, ends, index))
+        found.append((places[run[0][0]], places[last_cut] + rounds, turns, ends))
     return _distinct(found)
 
 
 State = tuple[int, tuple[int, ...]]
 
 
-def _runs(allowed: Array, winding: Array, closed: bool) -> list[list[State]]:
+def _runs(allowed: Array, winding: tuple[int, ...], closed: bool) -> list[list[State]]:
     """Maximal runs through cells (between crossings) and turns of the joints; one that closes repeats its first."""
-    cells, waiting = len(allowed), {}
-    for cell in range(cells):
-        spans = [range(low, high + 1) for low, high in allowed[cell]]
+    cells = len(allowed)
+    waiting: dict[State, None] = {}
+    width = allowed[..., 1] - allowed[..., 0]
+    least, one = allowed[..., 0].tolist(), (width == 0).all(axis=1).tolist()
+    for cell in np.flatnonzero((width >= 0).all(axis=1)).tolist():
+        if one[cell]:
+            waiting[cell, tuple(least[cell])] = None
+            continue
+        spans = [range(low, low + more + 1) for low, more in zip(least[cell], width[cell].tolist(), strict=True)]
         if math.prod(map(len, spans)) * cells > MOST * 16:
             raise InputError("limits: they hold too many combinations of turns; limits of some turns are accepted")
         waiting.update(dict.fromkeys((cell, turns) for turns in product(*spans)))
@@ -330,21 +459,21 @@ def _runs(allowed: Array, winding: Array, closed: bool) -> list[list[State]]:
     return runs
 
 
-def _next(state: State, cells: int, winding: Array, closed: bool, step: int) -> State | None:
+def _next(state: State, cells: int, winding: tuple[int, ...], closed: bool, step: int) -> State | None:
     cell, turns = state[0] + step, state[1]
     if 0 <= cell < cells:
         return cell, turns
     if not closed:
         return None
-    return cell % cells, tuple(int(k + step * w) for k, w in zip(turns, winding, strict=True))
+    return cell % cells, tuple(k + step * w for k, w in zip(turns, winding, strict=True))
 
 
-def _reason(component: Component, allowed: Array, winding: Array, run: list[State], last: bool) -> str:
+def _reason(component: Component, allowed: Array, winding: tuple[int, ...], run: list[State], last: bool) -> str:
     beyond = _next(run[-1 if last else 0], len(allowed), winding, component.closed, 1 if last else -1)
     if beyond is None:
         return component.ends[int(last)] if component.ends else "end of the curve"
     cell, turns = beyond
-    for joint, (k, (low, high)) in enumerate(zip(turns, allowed[cell], strict=True), 1):
+    for joint, (k, (low, high)) in enumerate(zip(turns, allowed[cell].tolist(), strict=True), 1):
         if k > high:
             return limit_reason(joint, True)
         if k < low:
@@ -357,56 +486,52 @@ def _shifted(component: Component, begin: float, end: float, shift: Array) -> Ca
     return lambda s: component.at(begin + (end - begin) * np.asarray(s)) + shift
 
 
-def _arc(line: Course, begin: float, end: float, shift: Array, ends: tuple[str, ...], index: int) -> Component:
-    component = line.component
-    rounds = range(math.floor(begin), math.ceil(end) + 1) if component.closed else range(1)
-    inside = np.concatenate([line.s[:-1] + r for r in rounds])
-    inside = inside[(inside > begin) & (inside < end)]
-    q = component.at(np.concatenate([[begin], inside, [end]])) + shift
-    box = np.stack([q.min(axis=0), q.max(axis=0)], axis=1)
-    for i, (where, value) in enumerate(line.knots[:-1]):
-        for r in rounds:
-            known = value[(where + r > begin) & (where + r < end)] + TURN * r * component.winding[i] + shift[i]
-            box[i] = min([box[i, 0], *known]), max([box[i, 1], *known])
-    where, value = line.knots[-1]
-    h = np.concatenate(
-        [
-            np.interp([begin % 1.0, end % 1.0], where, value),
-            *(value[(where + r > begin) & (where + r < end)] for r in rounds),
-        ]
-    )
-    return replace(
-        component,
-        q=q,
+def _arc(component: Component, grid: Grid, part: Part, edges: Array, heights: Array, index: int) -> Component:
+    """A part of a curve as a curve, given the configurations (2, n) and H (2,) at its ends."""
+    begin, end, turns, ends = part
+    shift = TURN * np.array(turns, float)
+    if not ends:
+        box = component.box + shift[:, np.newaxis]
+        points = _shifted(component, 0.0, 1.0, shift)
+        return replace(component, q=component.q + shift, box=box, of=index, points=points)
+    s, q, h = grid.s[:-1], [edges[:1] + shift], [heights]
+    for r in range(math.floor(begin), math.ceil(end)):
+        inside = slice(s.searchsorted(begin - r, "right"), s.searchsorted(end - r, "left"))
+        q.append(grid.q[inside] + (shift + TURN * r * component.winding))
+        h.append(grid.h[inside])
+    rows, values = np.concatenate([*q, edges[1:] + shift]), np.concatenate(h)
+    return Component(
+        q=rows,
         length=component.length * (end - begin),
         closed=False,
-        winding=np.zeros_like(component.winding),
-        box=box,
-        manipulability=(float(h.min()), float(h.max())),
+        winding=0 * component.winding,
+        box=np.array([rows.min(axis=0), rows.max(axis=0)]).T,
+        manipulability=(float(values.min()), float(values.max())),
+        residual=component.residual,
         closure=math.nan,
         ends=ends,
+        signs=component.signs,
         of=index,
         span=(begin, end),
+        scale=component.scale,
         points=_shifted(component, begin, end, shift),
     )
 
 
-def _distinct(parts: list[Component]) -> list[Component]:
+def _distinct(parts: list[Part]) -> list[Part]:
     """Without the parts that lie in another one, whole turns apart."""
-    kept: list[Component] = []
-    for part in sorted(
-        parts, key=lambda each: (-(each.span[1] - each.span[0]), each.span[0], float(np.abs(each.q[0]).sum()))
-    ):
-        begin, rounds = part.span[0], part.span[1] - part.span[0]
+    kept: list[Part] = []
+    for part in sorted(parts, key=lambda each: (each[0] - each[1], each[0], sum(map(abs, each[2])))):
+        begin, rounds = part[0], part[1] - part[0]
         inside = any(
-            other.closed
-            or other.span[1] - other.span[0] >= 1.0
-            or math.fmod(begin - other.span[0] + 1.0, 1.0) + rounds <= other.span[1] - other.span[0] + 1e-12
+            not other[3]
+            or other[1] - other[0] >= 1.0
+            or math.fmod(begin - other[0] + 1.0, 1.0) + rounds <= other[1] - other[0] + 1e-12
             for other in kept
         )
         if not inside:
             kept.append(part)
-    return sorted(kept, key=lambda each: each.span[0])
+    return sorted(kept, key=lambda each: each[0])
 
 
 def ranges(parts: Sequence[Component]) -> Array:

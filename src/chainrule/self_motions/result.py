@@ -166,7 +166,7 @@ class SelfMotion:
         status: a key of :data:`STATUSES`.
         detail: of a status, what exactly: "figure of eight", "isolated point", "free first joint"; empty where regular.
         components: the curves, joints unlimited.
-        complete: "proved", or "N starts, last new component at start k".
+        complete: "proved", or "N starts and M extremal points of joints, last new component at start k".
         feasible: what of the curves is within the arm's joint limits: whole loops and arcs, each with ``of`` and
             ``span``; None where limits were not asked for or the arm has none.
         to_singular: distance of the target to the nearest singular value of the task, in its units; None if not known.

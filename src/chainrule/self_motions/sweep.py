@@ -16,8 +16,8 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
-from functools import cached_property
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +26,7 @@ from chainrule.arm import Arm
 from chainrule.cuspidality.normal_form import Regional, evaluator
 from chainrule.description import Description, Serial, Transform
 from chainrule.self_motions.continuation import Held
-from chainrule.self_motions.spherical import Chain, orientations, turn
+from chainrule.self_motions.spherical import Chain, Structure, orientations, turn
 
 Array = NDArray[Any]
 
@@ -43,6 +43,53 @@ NONE = 1e-11
 
 
 @dataclass(frozen=True)
+class Plan:
+    """What of a sweep does not depend on the pose.
+
+    Attributes:
+        chain: the arm, seen from where the swept joint is first.
+        regional: the 3R arm of joints 2, 3 and 4, its tip the point in which axes 5, 6 and 7 meet.
+        to_base: (4, 4) from the base frame to the one before joint 1's turn.
+        in_tip: (4,) that point in the tip's frame, m, and 1.
+        right: whether axes 5, 6 and 7 stand at right angles.
+    """
+
+    chain: Chain
+    regional: Regional
+    to_base: Array
+    in_tip: Array
+    right: bool
+
+    @classmethod
+    def of(cls, arm: Arm) -> Plan | None:
+        """The plan of a 7R arm, once for each; None where neither the first nor the last three axes meet."""
+        if arm not in _PLANS:
+            _PLANS[arm] = cls._made(arm)
+        return _PLANS[arm]
+
+    @classmethod
+    def _made(cls, arm: Arm) -> Plan | None:
+        structure = Structure.of(arm)
+        chain, meeting = structure.chain, structure.meeting[4]
+        if meeting is None:
+            chain = chain.reversed()
+            meeting = chain.meeting(4)
+        if meeting is None:
+            return None
+        placements = chain.placements
+        tip = placements[4, :3, :3] @ meeting + placements[4, :3, 3]
+        last = placements[5] @ placements[6] @ chain.tool  # at q6 = q7 = 0: axes 6 and 7 pass the point anyway
+        in_tip = np.linalg.inv(last) @ np.append(meeting, 1.0)
+        regional = Regional.of(_three(arm, placements[1:4], tip))
+        parameters = [0.0 if abs(x) < NONE * chain.size and k >= 4 else x for k, x in enumerate(regional.parameters)]
+        regional = replace(regional, parameters=tuple(parameters))
+        return cls(chain, regional, np.linalg.inv(placements[0]), in_tip, chain.right(4))
+
+
+_PLANS: WeakKeyDictionary[Arm, Plan | None] = WeakKeyDictionary()
+
+
+@dataclass(frozen=True)
 class Sweep:
     """A 7R arm at a pose, its swept joint first and its spherical joint last.
 
@@ -52,6 +99,7 @@ class Sweep:
         regional: the 3R arm of joints 2, 3 and 4, its tip the point in which axes 5, 6 and 7 meet.
         target: the pose of the arm's tip.
         point: (3,) that point before joint 1's turn, m.
+        right: whether the spherical joint takes every orientation, so that only the 3R arm has events.
     """
 
     held: Held
@@ -59,27 +107,18 @@ class Sweep:
     regional: Regional
     target: Array
     point: Array
+    right: bool
 
     @classmethod
     def of(cls, held: Held, target: Array) -> Sweep | None:
         """The sweep of an arm at a pose; None where neither the first nor the last three axes meet."""
-        arm = held.arm
-        if arm.kinds != "RRRRRRR" or held.task != "pose":
+        if held.arm.kinds != "RRRRRRR" or held.task != "pose":
             return None
-        for chain in (Chain.of(arm), Chain.of(arm).reversed()):
-            meeting = chain.meeting(4)
-            if meeting is not None:
-                break
-        else:
+        plan = Plan.of(held.arm)
+        if plan is None:
             return None
-        placements = chain.placements
-        tip = placements[4, :3, :3] @ meeting + placements[4, :3, 3]
-        last = placements[5] @ placements[6] @ chain.tool  # at q6 = q7 = 0: axes 6 and 7 pass the point anyway
-        in_tip = np.linalg.inv(last) @ np.append(meeting, 1.0)
-        base = np.linalg.inv(placements[0]) @ chain.pose(target) @ in_tip
-        regional = Regional.of(_three(arm, placements[1:4], tip))
-        parameters = [0.0 if abs(x) < NONE * chain.size and k >= 4 else x for k, x in enumerate(regional.parameters)]
-        return cls(held, chain, replace(regional, parameters=tuple(parameters)), target, base[:3])
+        base = plan.to_base @ plan.chain.pose(target) @ plan.in_tip
+        return cls(held, plan.chain, plan.regional, target, base[:3], plan.right)
 
     @property
     def swept(self) -> int:
@@ -93,11 +132,6 @@ class Sweep:
         if (sa2 == 0.0 and d2 == 0.0) or d4 == 0.0:
             return "unfit"
         return "parallel" if sa2 == 0.0 else "meeting" if d2 == 0.0 else "general"
-
-    @cached_property
-    def right(self) -> bool:
-        """Whether the spherical joint takes every orientation, so that only the 3R arm has events."""
-        return self.chain.right(4)
 
     # ---- events ------------------------------------------------------------------------------------------------
 

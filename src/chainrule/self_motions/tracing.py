@@ -13,11 +13,15 @@ stated length scale (prismatic joints), so that everything is in rad: x stands f
    curve with t.(x - x0) = s: within that slab of the ball the solutions are one arc, through x0. A step to a solution
    in it cannot have changed curves. K is a bound, not an estimate: second derivatives of a serial chain are products
    of unit axes and distances from axes to the tip.
-2. *Step.* Predict by the polynomial through up to three points and tangents (degree 5), no farther than the slab;
-   correct by Newton's method, x -= J^+ e; halve the step where that does not contract.
-3. *Closure.* Where the start, each revolute joint shifted by whole turns, lies ahead within the slab, the arc leads to
-   it: the curve is closed. The last step is solved for in the plane through the start normal to its tangent.
-4. *Length.* As often as the tangent has turned a little (or 6 radii were passed), the length since then is the
+2. *Step.* Predict by the polynomial through up to four points and tangents (degree 7); correct by Newton's method,
+   x -= J^+ e; halve the step where that does not contract. A point in the slab of the last ball is on its arc. So is a
+   point x1 beyond it, if its own ball holds the end of that arc: the arc's point at the distance s along t lies in a
+   disc of radius d = c / 2r (s^2 + (c r / 2)^2) about x0 + s t, by the bound in 1. Where all of the disc is in the slab
+   of the ball about x1, behind x1, the arcs through x0 and x1 have that point in common and are one.
+3. *Closure.* Where the start, each revolute joint shifted by whole turns, lies ahead within the slab, or behind the new
+   point within the slab of its ball, the arc leads to it: the curve is closed. The last step is solved for in the plane
+   through the start normal to its tangent.
+4. *Length.* As often as the tangent has turned a little (or 5 radii were passed), the length since then is the
    integral of 1 / (t.d) over the distance along the chord's direction d: Lobatto's rule, each node corrected on the
    curve. Its last
    Legendre coefficients, and how fast they fall, estimate the error and set the next turn.
@@ -42,14 +46,20 @@ REASONS = ("closed", "length", "singular", "steps", "stuck", "start")
 
 CONTRACTION = 0.9  # c of the guard
 SLAB = 0.89  # below sqrt(1 - c^2 / 4), with room for rounding
-ADVANCE = 0.85  # the longest step, of the ball's radius: less than SLAB, so that no step passes the start unseen
+ADVANCE = 0.85  # the longest step within a ball, of its radius
+BOTH = 0.82  # the longest step through two balls, of the sum of their radii
 LONGEST = 0.5  # the longest step, rad
 TURN = 0.5  # the most that a step may turn, rad
 NODES = 48  # certified points kept between two output points
-HISTORY = 3  # points that the predictor uses
+HISTORY = 4  # points that the predictor uses
 NEWTON = 12  # most corrections
+SETTLED = 1e-9  # the last correction, rad
+LEFT = 1e-16  # |J^+| size^2 of the last correction of a point whose tangent is taken anew: an error of rounding
+POWERS = 3  # of the matrix whose largest eigenvalue is bounded
+LEVEL = 1e-12  # a slope below this (of H: this share of H) is rounding: nothing moves
+PARTS = 8  # of an interval between output points in which a slope is looked at for a change of sign
 LEAST_TURN, MOST_TURN = 0.02, 0.7  # of the tangent between two ends of a length rule
-BALLS = 6.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
+BALLS = 5.0  # of radii between two ends of a length rule: nothing the curve does between its points is narrower
 FINEST = 1e-11  # the error of a length rule, relative to its chord, that is asked for
 
 
@@ -125,10 +135,12 @@ class Trace:
         tangent, bend: (k, n) dq/ds and d2q/ds2 of the scaled joints x = q / unit.
         s: (k,) length so far.
         h: (k,) manipulability; slope: (k,) its change along the curve, dH/ds.
+        knots: (e, 3) extrema between the points: which joint from 0 (H: n), at which length, and its value.
         box: (n, 2) least and greatest joint values; span: least and greatest H.
         reason: why it ended (:data:`REASONS`); steps: certified steps; evaluations: of the generated functions.
         closure: largest difference between the return and the start, rad; winding: (n,) turns of each joint.
-        contraction: the largest b K r |x1 - x0| / r met: below 1, the guard held at every step.
+        contraction: c times how far from a ball's centre, of its radius, a step went through it: below 1, the guard
+            held at every step.
     """
 
     q: Array
@@ -137,6 +149,7 @@ class Trace:
     s: Array
     h: Array
     slope: Array
+    knots: Array
     box: Array
     span: tuple[float, float]
     reason: str
@@ -197,7 +210,7 @@ def second_derivative(system: System, x: Array, jacobian: Array, radius: float) 
         turns = np.where(pair, math.sqrt(n) * radius + np.where(np.eye(n, dtype=bool), 0.0, 0.5), 0.0)
         bound = np.sqrt(bound**2 + turns**2)
     y = np.ones(n)
-    for _ in range(6):
+    for _ in range(POWERS):
         image = bound @ y
         ratio = float((image / y).max())
         y = np.maximum(image / max(ratio, 1e-300), 1e-6)
@@ -246,11 +259,12 @@ class Follower:
     # ---- corrections -------------------------------------------------------------------------------------------
 
     def correct(
-        self, x: Array, normal: Array | None = None, offset: float = 0.0
+        self, x: Array, normal: Array | None = None, offset: float = 0.0, *, loose: bool = False
     ) -> tuple[Array, Array, float, Array, float] | None:
         """Newton's method onto the curve, in the plane normal.x = offset where one is given.
 
         Returns the point, its tangent, b, the scaled Jacobian and the last correction's size; None if it diverges.
+        ``loose`` where the tangent (taken before the last correction) is not needed: the point is as exact.
         """
         before = math.inf
         for _ in range(NEWTON):
@@ -268,7 +282,7 @@ class Follower:
             if not size <= max(0.5 * before, 1e-11):
                 return None
             x = x + step
-            if size <= 1e-9:
+            if size <= SETTLED or (loose and bound * size**2 <= LEFT):
                 return x, t, bound, jacobian, size
             before = size
         return None
@@ -301,18 +315,12 @@ class Follower:
             return self.finished("singular", x, math.nan)
         self.rows.append(self.row(x, 0.0))
         nodes, history = [origin], [origin]
-        reason, closure, step = "", math.nan, ADVANCE * origin.radius
+        reason, closure, step, last_radius = "", math.nan, ADVANCE * origin.radius, origin.radius
         while not reason:
             here = nodes[-1]
-            ahead = self.image(origin.x, here.x)
-            distance = float(here.t @ (ahead - here.x))
-            if 0.0 < distance <= SLAB * here.radius and np.linalg.norm(ahead - here.x) <= here.radius:
-                guess = self.predict(history, distance)
-                back = self.correct(guess, origin.t, float(origin.t @ ahead))
-                closure = (
-                    float(np.abs(back[0] - ahead).max()) if back is not None else float(np.abs(guess - ahead).max())
-                )
-                nodes.append(Point(ahead, origin.t, here.radius))
+            ahead, along, distance = self.image(origin.x, here)
+            if 0.0 < along <= SLAB * here.radius and distance <= here.radius:
+                closure = self.close(origin, ahead, nodes, history)
                 reason = "closed"
                 break
             if self.rows[-1].s + float(np.linalg.norm(here.x - self.rows[-1].x)) >= settings.longest:
@@ -321,30 +329,44 @@ class Follower:
             if self.steps >= settings.steps:
                 reason = "steps"
                 break
-            step = min(step, ADVANCE * here.radius, LONGEST)
+            # one ball's length, or two where the next one is about as large
+            larger = here.radius**2 / last_radius if here.radius < last_radius else here.radius
+            step = min(step, BOTH * (here.radius + larger), LONGEST)
             if len(history) > 1:
                 bend = float(np.linalg.norm(history[-1].t - history[-2].t)) / (history[-1].s - history[-2].s)
                 step = min(step, TURN / bend) if bend > 0.0 else step
-            new = None
+            new, reached, closing = None, 0.0, False
             while step > 1e-3 * here.radius:
                 found = self.correct(self.predict(history, step))
-                if found is not None:
-                    shift = found[0] - here.x
-                    along, distance = float(here.t @ shift), float(np.linalg.norm(shift))
-                    if 0.0 < along <= SLAB * here.radius and distance <= here.radius:
-                        new = found
+                along = float(here.t @ (found[0] - here.x)) if found is not None else 0.0
+                if found is not None and along > 0.0:
+                    point = Point(found[0], found[1], self.radius(found[0], found[3], found[2], here.radius))
+                    distance = float(np.linalg.norm(found[0] - here.x))
+                    if along <= SLAB * here.radius and distance <= here.radius:
+                        new, reached = point, distance / here.radius
                         break
-                step *= 0.5
-            if new is None:
+                    joined, reached = meet(here, point, along * here.radius / (here.radius + point.radius))
+                    if joined:
+                        new = point
+                        ahead, behind, apart = self.image(origin.x, point)
+                        closing = -SLAB * point.radius <= behind <= 0.0 and apart <= point.radius
+                        closing = closing and float(here.t @ (ahead - here.x)) > 0.0
+                        break
+                step = min(0.5 * step, ADVANCE * here.radius)
+            if new is None or found is None:
                 reason = "stuck"
                 break
             self.steps += 1
-            self.contraction = max(self.contraction, CONTRACTION * distance / here.radius)
-            x, t, bound, jacobian, _ = new
-            chord = float(np.linalg.norm(x - here.x))
+            self.contraction = max(self.contraction, CONTRACTION * reached)
+            if closing:
+                closure = self.close(origin, ahead, nodes, history)
+                reason = "closed"
+                break
+            x, t, bound, jacobian, _ = found
             turned = float(np.linalg.norm(t - here.t))
-            point = Point(x, t, self.radius(x, jacobian, bound, here.radius), here.s + chord * (1.0 + turned**2 / 24.0))
+            point = replace(new, s=here.s + distance * (1.0 + turned**2 / 24.0))
             nodes.append(point)
+            last_radius = here.radius
             history = [*history[-HISTORY + 1 :], point]
             step *= 2.0
             if self.singular(jacobian, bound):
@@ -362,33 +384,26 @@ class Follower:
         """Whether the smallest singular value, relative to the largest, is (about) below the stated share."""
         return not float(np.linalg.norm(jacobian)) * bound * self.settings.singular < 1.0
 
-    def image(self, x: Array, near: Array) -> Array:
-        """x with whole turns added to its revolute joints, nearest to another point."""
-        turns = np.rint((near - x) / (2.0 * math.pi))
+    def image(self, x: Array, near: Point) -> tuple[Array, float, float]:
+        """x with whole turns added to its revolute joints, nearest to a point; how far ahead of that, how far away."""
+        turns = np.rint((near.x - x) / (2.0 * math.pi))
         shifted: Array = np.where(self.system.revolute, x + 2.0 * math.pi * turns, x)
-        return shifted
+        return shifted, float(near.t @ (shifted - near.x)), float(np.linalg.norm(shifted - near.x))
+
+    def close(self, origin: Point, image: Array, nodes: list[Point], history: list[Point]) -> float:
+        """Append the start, shifted by whole turns, as the last node; how far from it the curve arrives, rad."""
+        here = nodes[-1]
+        along = float(here.t @ (image - here.x))
+        guess = self.predict(history, along)
+        back = self.correct(guess, origin.t, float(origin.t @ image))
+        nodes.append(Point(image, origin.t, origin.radius, here.s + along))
+        return float(np.abs((guess if back is None else back[0]) - image).max())
 
     @staticmethod
     def predict(history: list[Point], step: float) -> Array:
         """The Hermite polynomial through the last points and their tangents, ``step`` beyond the last one."""
-        knots = np.repeat([point.s for point in history], 2) - history[-1].s
-        table = [point.x for point in history for _ in range(2)]
-        count = len(knots)
-        columns = [table[0]]
-        current = table
-        for order in range(1, count):
-            following = []
-            for i in range(count - order):
-                if order == 1 and i % 2 == 0:
-                    following.append(history[i // 2].t)
-                else:
-                    following.append((current[i + 1] - current[i]) / (knots[i + order] - knots[i]))
-            columns.append(following[0])
-            current = following
-        value = columns[-1]
-        for i in range(count - 2, -1, -1):
-            value = columns[i] + (step - knots[i]) * value
-        return value
+        places = [point.s - history[-1].s for point in history]
+        return hermite_through(history, places, [1.0] * len(history), step)
 
     # ---- length ------------------------------------------------------------------------------------------------
 
@@ -423,9 +438,15 @@ class Follower:
         points: list[Array] = []
         for place in LOBATTO_NODES[1:-1] * chord:
             j = min(max(int(np.searchsorted(along, place)) - 1, 0), len(nodes) - 2)
-            guess = between(nodes[j], nodes[j + 1], d, (place - along[j]) / (along[j + 1] - along[j]))
-            found = self.correct(guess, d, float(d @ first.x) + place)
-            if found is None or np.linalg.norm(found[0] - nodes[j].x) > nodes[j].radius:
+            if always:
+                guess = between(nodes[j], nodes[j + 1], d, (place - along[j]) / (along[j + 1] - along[j]))
+            else:
+                used = min(len(nodes), HISTORY)  # nodes around the place
+                start = min(max(j + 1 - used // 2, 0), len(nodes) - used)
+                near = slice(start, start + used)
+                guess = hermite_through(nodes[near], along[near], [1.0 / c for c in cosines[near]], float(place))
+            found = self.correct(guess, d, float(d @ first.x) + place, loose=True)
+            if found is None or all(np.linalg.norm(found[0] - each.x) > each.radius for each in nodes[j : j + 2]):
                 if not always:
                     return False
                 found = (guess, d, 0.0, d, 0.0)
@@ -457,7 +478,9 @@ class Follower:
         found = self.correct(between(first, last, d, 0.5), d, float(d @ first.x) + 0.5 * chord)
         if found is None:
             return None
-        return Point(found[0], found[1], first.radius - float(np.linalg.norm(found[0] - first.x)))
+        return Point(
+            found[0], found[1], max(each.radius - float(np.linalg.norm(found[0] - each.x)) for each in (first, last))
+        )
 
     # ---- what is reported --------------------------------------------------------------------------------------
 
@@ -471,13 +494,14 @@ class Follower:
         h = np.array([row.h for row in rows])
         box = np.stack([x.min(axis=0), x.max(axis=0)], axis=1)
         span = [float(h.min()), float(h.max())]
+        knots: list[tuple[float, float, float]] = []
         for a, b in pairwise(rows):
-            for i in range(n + 1):
-                for row in self.extrema(a, b, i):
-                    if i < n:
-                        box[i] = min(box[i, 0], row.x[i]), max(box[i, 1], row.x[i])
-                    else:
-                        span = [min(span[0], row.h), max(span[1], row.h)]
+            for i, place, value in self.extrema(a, b):
+                if i < n:
+                    box[i] = min(box[i, 0], value), max(box[i, 1], value)
+                else:
+                    span = [min(span[0], value), max(span[1], value)]
+                knots.append((i, place, value * unit[i] if i < n else value))
         turns = np.rint((x[-1] - x[0]) / (2.0 * math.pi)) if reason == "closed" else np.zeros(n)
         return Trace(
             x * unit,
@@ -486,6 +510,7 @@ class Follower:
             np.array([row.s for row in rows]),
             h,
             np.array([row.slope for row in rows]),
+            np.array(knots, float).reshape(-1, 3),
             box * unit[:, None],
             (span[0], span[1]),
             reason,
@@ -496,35 +521,42 @@ class Follower:
             self.contraction,
         )
 
-    def extrema(self, a: Row, b: Row, i: int) -> list[Row]:
-        """Extrema of joint i (of H for i = n) between two output points."""
-        width = b.s - a.s
-        if width <= 0.0:
+    def extrema(self, a: Row, b: Row) -> list[tuple[int, float, float]]:
+        """Extrema between two output points: of which joint (n: of H), at which length, and the value."""
+        if b.s <= a.s:
             return []
-        shape = [slope_at(a, b, i, u) for u in (0.0, 0.25, 0.5, 0.75, 1.0)]
-        signs = [value > 0.0 for value in shape]
-        found: list[Row] = []
-        for k in range(4):
-            if signs[k] != signs[k + 1]:
-                row = self.extremum(a, b, i, 0.25 * k, 0.25 * (k + 1), shape[k], shape[k + 1])
-                found += [row] if row is not None else []
+        found = []
+        for i in range(len(a.x) + 1):
+            slopes = [slope_at(a, b, i, k / PARTS) for k in range(PARTS + 1)]
+            if max(map(abs, slopes)) <= LEVEL * (1.0 if i < len(a.x) else a.h):
+                continue
+            for k in range(PARTS):
+                if (slopes[k] > 0.0) != (slopes[k + 1] > 0.0):
+                    place = self.extremum(a, b, i, k / PARTS, (k + 1) / PARTS, slopes[k], slopes[k + 1])
+                    found += [(i, *place)] if place is not None else []
         return found
 
-    def extremum(self, a: Row, b: Row, i: int, low: float, high: float, g_low: float, g_high: float) -> Row | None:
-        """The extremum by the rule of false position (Illinois) on the slope, evaluated on the curve itself."""
-        row, side, n = None, 0, len(a.x)
-        for turn in range(12):
-            if turn == 0 and i < n:
-                u = root_between(a, b, i, low, high)
-            else:
-                u = low - g_low * (high - low) / (g_high - g_low) if g_high != g_low else 0.5 * (low + high)
-            found = self.correct(interpolated(a, b, u))
+    def extremum(
+        self, a: Row, b: Row, i: int, low: float, high: float, g_low: float, g_high: float
+    ) -> tuple[float, float] | None:
+        """The place and value of an extremum on the curve: false position (Illinois), for joints Newton's method.
+
+        The last step of Newton's method is not made but taken from the parabola.
+        """
+        n, width, side = len(a.x), b.s - a.s, 0
+        scale = 1.0 if i < n else abs(a.slope) + abs(b.slope)
+        place = value = math.nan
+        u = root_between(a, b, i, low, high) if i < n else secant(low, high, g_low, g_high)
+        for _ in range(12):
+            found = self.correct(interpolated(a, b, u), loose=True)
             if found is None:
                 return None
-            row = self.row(found[0], a.s + u * (b.s - a.s))
-            g = float(row.t[i]) if i < n else row.slope
-            scale = 1.0 if i < n else abs(a.slope) + abs(b.slope)
-            if abs(g) <= 1e-6 * scale or (high - low) < 1e-7:
+            row = self.row(found[0], a.s + u * width)
+            g, bend = (float(row.t[i]), float(row.k[i])) if i < n else (row.slope, math.nan)
+            place, value = row.s, float(row.x[i]) if i < n else row.h
+            if i < n and abs(g) <= 1e-5 and abs(g) <= 1e-4 * width * abs(bend):
+                return place - g / bend, value - 0.5 * g * g / bend
+            if abs(g) <= (1e-9 if i < n else 1e-6 * scale) or high - low < 1e-7:
                 break
             if (g > 0.0) == (g_low > 0.0):
                 low, g_low = u, g
@@ -534,11 +566,33 @@ class Follower:
                 high, g_high = u, g
                 g_low = 0.5 * g_low if side == -1 else g_low
                 side = -1
-        return row
+            newton = u - g / (bend * width) if i < n and bend != 0.0 else low
+            u = newton if low < newton < high else secant(low, high, g_low, g_high)
+        return place, value
+
+
+def meet(first: Point, last: Point, ahead: float) -> tuple[bool, float]:
+    """Whether the arcs of two points' balls meet at a distance along the first one's tangent.
+
+    Returns:
+        whether; and how far from a centre the disc is that has to lie in both balls, of a ball's radius.
+    """
+    disc = 0.5 * CONTRACTION / first.radius * (ahead**2 + (0.5 * CONTRACTION * first.radius) ** 2)
+    gap = first.x + ahead * first.t - last.x
+    square, along, across = float(gap @ gap), float(gap @ last.t), float(gap @ first.t)
+    sideways = math.sqrt(max(square - across**2, 0.0))
+    far = math.sqrt(square + 2.0 * sideways * disc + disc**2)
+    tilt = disc * math.sqrt(max(1.0 - float(first.t @ last.t) ** 2, 0.0))
+    reached = max(math.sqrt(ahead**2 + disc**2) / first.radius, far / last.radius)
+    inside = ahead <= SLAB * first.radius and far <= last.radius
+    return inside and along + tilt < 0.0 and along - tilt >= -SLAB * last.radius, reached
 
 
 def minimum_norm(jacobian: Array, e: Array) -> tuple[Array, float] | None:
-    """-J^+ e, and the Frobenius norm of J^+ (at least its largest singular value), by orthogonalised rows."""
+    """-J^+ e and a bound of |J^+|, by orthogonalised rows, J = L Q.
+
+    |J^+|^2 is the largest eigenvalue of G = L^-T L^-1, at most the root of the Frobenius norm of G^2.
+    """
     m, n = jacobian.shape
     q, lower = np.zeros((m, n)), np.zeros((m, m))
     for i in range(m):
@@ -558,7 +612,8 @@ def minimum_norm(jacobian: Array, e: Array) -> tuple[Array, float] | None:
         inverse[j, j] = 1.0 / lower[j, j]
         for i in range(j + 1, m):
             inverse[i, j] = -float(lower[i, j:i] @ inverse[j:i, j]) / lower[i, i]
-    return -(inverse @ e) @ q, float(np.linalg.norm(inverse))
+    gram = inverse.T @ inverse
+    return -(inverse @ e) @ q, math.sqrt(math.sqrt(float(np.linalg.norm(gram @ gram))))
 
 
 def between(first: Point, last: Point, d: Array, u: float) -> Array:
@@ -568,6 +623,26 @@ def between(first: Point, last: Point, d: Array, u: float) -> Array:
     return hermite(first.x, a, last.x, b, u)
 
 
+def hermite_through(points: list[Point], places: list[float], scales: list[float], at: float) -> Array:
+    """The Hermite polynomial through points at places (one for each) and their tangents times scales, at another."""
+    knots = np.repeat(places, 2)
+    current = [point.x for point in points for _ in range(2)]
+    columns = [current[0]]
+    for order in range(1, len(knots)):
+        following = []
+        for i in range(len(knots) - order):
+            if order == 1 and i % 2 == 0:
+                following.append(points[i // 2].t * scales[i // 2])
+            else:
+                following.append((current[i + 1] - current[i]) / (knots[i + order] - knots[i]))
+        columns.append(following[0])
+        current = following
+    value = columns[-1]
+    for i in range(len(knots) - 2, -1, -1):
+        value = columns[i] + (at - knots[i]) * value
+    return value
+
+
 def hermite(x0: Array, d0: Array, x1: Array, d1: Array, u: float) -> Array:
     """The cubic with these values and derivatives at 0 and 1."""
     v = 1.0 - u
@@ -575,10 +650,20 @@ def hermite(x0: Array, d0: Array, x1: Array, d1: Array, u: float) -> Array:
     return found
 
 
+def quintic(first: tuple[Array, Array, Array], last: tuple[Array, Array, Array], u: Array | float) -> Array:
+    """The polynomial of degree 5 with these values, first and second derivatives at 0 and 1."""
+    (x0, d0, c0), (x1, d1, c1) = first, last
+    rise = x1 - x0
+    a = 10 * rise - 6 * d0 - 4 * d1 - 1.5 * c0 + 0.5 * c1
+    b = -15 * rise + 8 * d0 + 7 * d1 + 1.5 * c0 - c1
+    c = 6 * rise - 3 * d0 - 3 * d1 - 0.5 * c0 + 0.5 * c1
+    return np.asarray(x0 + u * (d0 + u * (0.5 * c0 + u * (a + u * (b + u * c)))))
+
+
 def interpolated(a: Row, b: Row, u: float) -> Array:
-    """The cubic between two output points."""
+    """The quintic between two output points."""
     width = b.s - a.s
-    return hermite(a.x, width * a.t, b.x, width * b.t, u)
+    return quintic((a.x, width * a.t, width**2 * a.k), (b.x, width * b.t, width**2 * b.k), u)
 
 
 def slope_at(a: Row, b: Row, i: int, u: float) -> float:
@@ -591,13 +676,20 @@ def slope_at(a: Row, b: Row, i: int, u: float) -> float:
     return (1.0 - 3.0 * u) * v * a.slope + (1.0 - 3.0 * v) * u * b.slope + 6.0 * u * v * rise
 
 
+def secant(low: float, high: float, g_low: float, g_high: float) -> float:
+    """Where the line through two values is zero; the middle where they are equal."""
+    return low - g_low * (high - low) / (g_high - g_low) if g_high != g_low else 0.5 * (low + high)
+
+
 def root_between(a: Row, b: Row, i: int, low: float, high: float) -> float:
-    """The root of :func:`slope_at` between two places of different sign, by bisection."""
-    rising = slope_at(a, b, i, high) > 0.0
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        if (slope_at(a, b, i, middle) > 0.0) == rising:
-            high = middle
+    """The root of :func:`slope_at` between two places of different sign, by false position."""
+    g_low, g_high = slope_at(a, b, i, low), slope_at(a, b, i, high)
+    u = secant(low, high, g_low, g_high)
+    for _ in range(8):
+        at = slope_at(a, b, i, u)
+        if (at > 0.0) == (g_high > 0.0):
+            high, g_high, g_low = u, at, 0.5 * g_low
         else:
-            low = middle
-    return 0.5 * (low + high)
+            low, g_low, g_high = u, at, 0.5 * g_high
+        u = secant(low, high, g_low, g_high)
+    return u

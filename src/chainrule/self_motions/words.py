@@ -213,14 +213,14 @@ def intervals_table(found: SelfMotionAlong, x: Array, heading: str = "px", unit:
         if k < len(x) and _same(found, start, k):
             continue
         motions = found.motions[start:k]
-        lengths = [curve.length for motion in motions for curve in motion.components]
+        lengths = [curve.length for motion in motions for curve in motion.arcs]
         rows.append(
             (
                 float(x[start]),
                 float(x[k - 1]),
                 k - start,
                 motions[0].detail or motions[0].status,
-                motions[0].count,
+                len(motions[0].arcs),
                 min(lengths, default=None),
                 max(lengths, default=None),
                 ", ".join(str(label + 1) for label in found.labels[start]) or None,
@@ -244,7 +244,7 @@ def intervals_table(found: SelfMotionAlong, x: Array, heading: str = "px", unit:
 
 def _same(found: SelfMotionAlong, i: int, k: int) -> bool:
     a, b = found.motions[i], found.motions[k]
-    return (a.status, a.detail, found.labels[i]) == (b.status, b.detail, found.labels[k]) and a.count == b.count
+    return (a.status, a.detail, found.labels[i]) == (b.status, b.detail, found.labels[k]) and len(a.arcs) == len(b.arcs)
 
 
 def changes_table(found: SelfMotionAlong, x: Array, heading: str = "px", unit: str = "m") -> Table:
