@@ -479,14 +479,19 @@ def test_single_precision():
 
 
 def test_batches():
-    """None, one or many; broadcast; the place in a batch changes no bit, and alone it is the same to rounding."""
+    """None, one or many; broadcast; the same call gives the same bits, another place in a batch the same to rounding.
+
+    (A compiler may contract the operations of the last, incomplete tile otherwise.)
+    """
     arm = arm_of("sanchez_8r")
     stepper = Stepper(arm, law_of(arm, 13))
     q, held, velocity, push = situation("sanchez_8r", "pose", 130, 13)
     whole = stepper(q, held, velocity, 0.01, push)
     again = stepper(q[::-1], held[::-1], velocity[::-1], 0.01, push[::-1])
     some = stepper(q[:64], held[:64], velocity[:64], 0.01, push[:64])
-    assert under.all_equal(again.rates[::-1][:64], whole.rates[:64]) and under.all_equal(some.rates, whole.rates[:64])
+    assert under.all_equal(some.rates, whole.rates[:64])
+    assert under.all_equal(stepper(q, held, velocity, 0.01, push).rates, whole.rates)
+    np.testing.assert_allclose(again.rates[::-1], whole.rates, rtol=0, atol=1e-12)
     alone = stepper(q[5], held[5], velocity[5], 0.01, push[5])
     np.testing.assert_allclose(alone.rates, whole.rates[5], rtol=0, atol=1e-12)
     empty = stepper(np.zeros((0, 8)), np.zeros((0, 4, 4)), np.zeros((0, 6)), 0.01)
