@@ -237,7 +237,7 @@ def _least_singular(steps: Steps, lower: Matrix, inverses: Vector) -> Expression
         inverse.append([*(steps.let("entry", -inverses[i] * total) for total in sums), inverses[i]])
     norm = steps.let("norm", root_sum_of_squares(steps, [entry for row in inverse for entry in row]))
     far = steps.let("far", GuardedInverse(norm))
-    return steps.let("least", sp.Min(*(row[k] for k, row in enumerate(lower)), far))
+    return steps.let("smallest", sp.Min(*(row[k] for k, row in enumerate(lower)), far))
 
 
 def _damped(steps: Steps, lower: Matrix, wanted: Vector, damping: Expression) -> Vector:

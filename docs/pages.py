@@ -23,8 +23,10 @@ from chainrule.derive import (
     orthogonal_designs,
     planar,
     planar_3r,
+    planar_dynamics,
     planar_motion,
     quartic,
+    redundancy,
     regional_3r,
     rest_to_rest,
     self_motion_planar_3r,
@@ -209,6 +211,15 @@ def minimum_time() -> dict[str, str]:
     }
 
 
+def joints_to_spare() -> dict[str, str]:
+    """The step along the position of the planar 3R arm, and inverse dynamics of two joints, as they are generated."""
+    arm = _planar_arm()
+    return {
+        "step": listing(redundancy.step(planar, arm, "position", planar_3r.minors(arm))),
+        "dynamics": listing(planar_dynamics.inverse_dynamics(_planar_arm("RR"))),
+    }
+
+
 #: The pages of theory and where their formulas come from.
 THEORY: dict[str, Callable[[], dict[str, str]]] = {
     "kinematics": kinematics,
@@ -218,6 +229,7 @@ THEORY: dict[str, Callable[[], dict[str, str]]] = {
     "orthogonal-arms": orthogonal,
     "speed-ratios": speed_ratios,
     "minimum-time": minimum_time,
+    "joints-to-spare": joints_to_spare,
 }
 
 

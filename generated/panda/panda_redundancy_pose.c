@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs 26b3f792511bc01537a5bf53594b167d87cea4be2c2a1298c2544a750e1afb9f.
+ * Made from templates/kernel.c.j2; inputs 17646daf35da87c67904c45c0d00563d312167008db1335b530621f40268e1df.
  * 2639 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "26b3f792511bc01537a5bf53594b167d87cea4be2c2a1298c2544a750e1afb9f";
+const char panda_redundancy_pose_digest[] = "17646daf35da87c67904c45c0d00563d312167008db1335b530621f40268e1df";
 #endif
 
 #define LANES 16

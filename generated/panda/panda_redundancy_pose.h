@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.h: redundancy pose of panda.
- * Made from templates/kernel.h.j2; inputs 26b3f792511bc01537a5bf53594b167d87cea4be2c2a1298c2544a750e1afb9f.
+ * Made from templates/kernel.h.j2; inputs 17646daf35da87c67904c45c0d00563d312167008db1335b530621f40268e1df.
  * 2639 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 26b3f792511bc01537a5bf53594b167d87cea4be2c2a1298c2544a750e1afb9f.
+Made from templates/kernel.py.j2; inputs 17646daf35da87c67904c45c0d00563d312167008db1335b530621f40268e1df.
 2639 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

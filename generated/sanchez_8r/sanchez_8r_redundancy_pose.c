@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 1b0dca76498a21a99473755a9005824aea0b12a56d01628e010eb516fb6d87ab.
+ * Made from templates/kernel.c.j2; inputs a3585938471b47946e22bc3fb1b9fbab8b4e4758c88924c5f815f032cc3269cb.
  * 3542 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "1b0dca76498a21a99473755a9005824aea0b12a56d01628e010eb516fb6d87ab";
+const char sanchez_8r_redundancy_pose_digest[] = "a3585938471b47946e22bc3fb1b9fbab8b4e4758c88924c5f815f032cc3269cb";
 #endif
 
 #define LANES 8

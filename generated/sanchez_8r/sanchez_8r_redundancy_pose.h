@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.h: redundancy pose of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 1b0dca76498a21a99473755a9005824aea0b12a56d01628e010eb516fb6d87ab.
+ * Made from templates/kernel.h.j2; inputs a3585938471b47946e22bc3fb1b9fbab8b4e4758c88924c5f815f032cc3269cb.
  * 3542 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
