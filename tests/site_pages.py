@@ -20,8 +20,11 @@ def script(name: str) -> Any:
         sys.path.remove(str(DOCS))
 
 
-def paper_page_is_up_to_date(key: str, rows: Sequence[Any], whole: bool = True) -> bool:
-    """Whether docs/papers/KEY.md holds these rows, and (``whole``) nothing else; numbers may differ by rounding."""
+def paper_page_is_up_to_date(key: str, rows: Sequence[Any], whole: bool = True, open_: Sequence[str] = ()) -> bool:
+    """Whether docs/papers/KEY.md holds these rows, and (``whole``) nothing else; numbers may differ by rounding.
+
+    In the rows of the quantities ``open_`` they may be any: times, and motions that rounding decides.
+    """
     pages = script("pages")
     committed = (DOCS / "papers" / f"{key}.md").read_text("utf-8")
     anew = pages.paper_page(key, rows)
@@ -29,5 +32,5 @@ def paper_page_is_up_to_date(key: str, rows: Sequence[Any], whole: bool = True) 
         tables = [text.split("## Every row\n")[1].strip().splitlines() for text in (anew, committed)]
         count = 2 + len(rows)
         anew, committed = ("\n".join(table[:count]) for table in tables)
-    same: bool = pages.same_but_for_rounding(anew, committed)
+    same: bool = pages.same_but_for_rounding(anew, committed, open_)
     return same

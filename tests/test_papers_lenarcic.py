@@ -167,4 +167,4 @@ def test_curves_in_joint_space():
 
 
 def test_the_page_of_the_site_is_up_to_date(rows):
-    assert paper_page_is_up_to_date("lenarcic", rows), "run python docs/pages.py lenarcic"
+    assert paper_page_is_up_to_date("lenarcic", rows, open_=("time for a curve",)), "run python docs/pages.py lenarcic"

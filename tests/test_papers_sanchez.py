@@ -54,7 +54,8 @@ def test_what_the_thesis_gets_wrong_is_named(rows):
 
 
 def test_the_page_of_the_site_is_up_to_date(rows):
-    assert paper_page_is_up_to_date("sanchez", rows), "run python docs/pages.py sanchez"
+    rounding = ("λ > 0 at Δt = .002", "random starts on the", "on the line")  # through singularities: chaotic
+    assert paper_page_is_up_to_date("sanchez", rows, open_=rounding), "run python docs/pages.py sanchez"
 
 
 def test_assumed_masses_are_named_beside_every_torque(rows):
