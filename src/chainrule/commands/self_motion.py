@@ -14,6 +14,7 @@ from chainrule.console import (
     Json,
     Task,
     Tip,
+    angle,
     app,
     configuration,
     load_arm,
@@ -25,7 +26,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError, shown
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file, output_file
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -62,7 +63,7 @@ def self_motion(
     ] = None,
     points: Annotated[int, typer.Option(help="Points of each curve, in --csv and --json.")] = 91,
     figure: Annotated[
-        Path | None, typer.Option(metavar="FILE", callback=output_file, help="Draw it into a .svg, .png or .pdf file.")
+        Path | None, typer.Option(metavar="FILE", callback=figure_file, help="Draw it into a .svg, .png or .pdf file.")
     ] = None,
     animation: Annotated[
         Path | None,
@@ -103,6 +104,8 @@ def self_motion(
         print_json(found.to_dict() | {"best": chosen.to_dict() if chosen else None, "files": files})
     else:
         _print(loaded, found, chosen, best)
+        if limits and found.feasible is None:
+            say(f"{loaded.name} has no position limits.")
         for path in files:
             say(path)
     if found.status == "unreachable" or (best is not None and chosen is None):
@@ -136,10 +139,8 @@ def _target(arm: Arm, task: str, target: str | None, at: str | None, along: str 
             raise InputError("what is held is missing: one of --target and --at gives it")
         return np.zeros(shape)
     found = np.array(numbers(target, "--target", math.prod(shape))).reshape(shape)
-    if deg and task == "x_alpha":
-        found[1] = math.radians(found[1])
-    elif deg and shape == (3,) and task == "pose":
-        found[2] = math.radians(found[2])
+    if task == "x_alpha" or (shape == (3,) and task == "pose"):
+        found[-1] = angle(float(found[-1]), deg, "--target")
     return found
 
 
