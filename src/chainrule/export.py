@@ -50,9 +50,10 @@ def generate(
     unknown = [target for target in targets if target not in TARGETS]
     if unknown or not targets:
         raise InputError(f"targets: {unknown or 'none'}; one or more of {', '.join(TARGETS)} are accepted")
+    from chainrule.arm import checked_arm
     from chainrule.derive import manifest, standalone
 
-    files = standalone.folder(arm.description, tuple(targets), progress)
+    files = standalone.folder(checked_arm(arm).description, tuple(targets), progress)
     target = Path(directory)
     try:
         for name, text in sorted(files.items()):
