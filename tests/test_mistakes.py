@@ -16,7 +16,9 @@ from chainrule.arm import checked_arm
 from chainrule.console import angle
 from chainrule.errors import InputError
 from chainrule.inputs import whole_number
+from chainrule.plot import draw_arm
 from chainrule.readers.urdf import from_urdf
+from chainrule.redundancy.samples import circle_through
 
 LINE = cr.TaskPath.line((0.6, 0.3), (1.2, 0.6), duration=1.0)
 FLAT = cr.planar_3r(1.0, 0.5, 0.25)
@@ -194,6 +196,17 @@ def test_a_folder_that_may_not_be_written_is_refused_before_the_work(tmp_path, m
         (lambda: cr.workspace("panda"), "arm: 'panda'"),
         (lambda: cr.generate("panda", "nowhere"), "arm: 'panda'"),
         (lambda: cr.regional_3r("panda"), "arm: 'panda'"),
+        (lambda: cr.postures("planar_3r", 1.0, 0.0, 0.0), "arm: 'planar_3r'"),
+        (lambda: circle_through("panda", [0.0] * 7, 0.1), "arm: 'panda'"),
+        (lambda: draw_arm("panda", [0.0] * 7), "arm: 'panda'"),
+        (lambda: draw_arm(FLAT, [0.0] * 2), "q: shape (2,); (3,)"),
+        (lambda: cr.track(FLAT, cr.Circle((0.5, 0.5), 0.1)), "a TaskPath is accepted, such as TaskPath.line gives"),
+        (lambda: cr.track(FLAT, LINE, push=[0.0, 0.0, 1.0]), "push: [0.0, 0.0, 1.0]; a function of t and q"),
+        (lambda: cr.forecast(FLAT, LINE, [0.0] * 3, "large"), "gain: 'large'"),
+        (lambda: cr.fastest_run(cr.track(FLAT, LINE), LINE), "planar_3r has no acceleration limit"),
+        (lambda: cr.fastest_run("run", LINE), "run: 'run'; a Run is accepted"),
+        (lambda: cr.generate(FLAT, None), "directory: None"),
+        (lambda: cr.generate(FLAT, "code", targets="rust"), "targets: ['rust']"),
         (lambda: cr.planar("R", [1.0]).manipulability([0.0]), "an arm with more joints is accepted"),
         (lambda: cr.planar("RR", [1.0, 1.0]).minors([0.0, 0.0], task="pose"), "'position' or 'x_alpha' is accepted"),
         (lambda: whole_number(7, "size", 1, 5), "size: 7; up to 5 are accepted"),

@@ -112,7 +112,7 @@ def track(
         ('complete', 101, True)
     """
     if not isinstance(path, TaskPath):
-        raise InputError(f"path: {shown(path)}; a TaskPath is accepted")
+        raise InputError(f"path: {shown(path)}; a TaskPath is accepted, such as TaskPath.line gives")
     task = checked_arm(arm).task_of_full_rank(task)
     if integrator not in INTEGRATORS:
         raise InputError(f"integrator: {shown(integrator)}; {', '.join(INTEGRATORS)} are accepted")
@@ -123,6 +123,9 @@ def track(
     stepper = Stepper(arm, law, task)
     path, q = begin(stepper, path, q0, dt, seed)
     bound = np.pi / dt if stop_rate is None else positive(stop_rate, "stop_rate")
+    for name, function in (("push", push), ("secondary", secondary)):
+        if function is not None and not callable(function):
+            raise InputError(f"{name}: {shown(function)}; a function of t and q is accepted")
     extras = Extras(push, secondary)
     options: dict[str, Any] = {"near": near, "gravity": gravity, "wrench": wrench}
     if limits:
