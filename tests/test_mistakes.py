@@ -62,6 +62,13 @@ def process(code, **options):
         (("track", "free.toml", "--path", "points.csv"), "no times; a column t, or a duration"),
         (("track", "free.toml", "--path", "times.csv", "--duration", "3"), "the file has times of its own"),
         (("self-motion", "planar_3r", "--target", "1,0.5", "--points", "1000000000"), "up to 100000 are accepted"),
+        (("track", "free.toml", "--circle", "0.1", "--criterion", "limits"), "free: criterion 'limits': no joint has"),
+        (
+            ("track", "free.toml", "--circle", "0.1", "--acceleration", "0", "--limits"),
+            "limit of joint1, joint2, joint3",
+        ),
+        (("track", "planar_3r", "--circle", "0.1", "--gain", "inf"), "gain: inf"),
+        (("classify", "1e308,1e308,1e308,1e308"), "beyond the range of double precision"),
         (("min-time", "free.toml", "--from", "0,0,0", "--to", "1,1,1", "--velocity", "1,2"), "one, or one for each"),
     ],
 )

@@ -107,6 +107,8 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except ModuleNotFoundError as error:
         name = (error.name or str(error)).partition(".")[0]
         complain(f"the package {name}, which this needs, cannot be imported; installing chainrule with pip brings it")
+    except OverflowError:
+        complain("a number given is too large: what follows from it is beyond the range of double precision")
     except MemoryError:
         complain("there is not enough memory for so much at once")
     except (KeyboardInterrupt, typer.Abort):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Annotated, Any
@@ -238,7 +239,7 @@ def _wonder(gain: float | None, criterion: str) -> None:
     """Tell of a gain that leads to what its criterion is to keep the arm away from."""
     from chainrule.redundancy.asked import default_gain
 
-    if gain is not None and gain * default_gain(criterion) < 0.0:
+    if gain is not None and -math.inf < gain * default_gain(criterion) < 0.0:
         towards = "the middles of the joints' ranges are left" if criterion == "limits" else "singularities are sought"
         complain(f"note: --gain {gain:g} {'raises' if gain > 0.0 else 'lowers'} {criterion}, so that {towards}")
 

@@ -120,6 +120,8 @@ def track(
     steps = number_of_steps(path, dt)
     dt = path.duration / steps
     law = _law(method, gain, criterion, feedback, damping, weights, dt)
+    if law.gains.get("limits") and not np.isfinite(arm.limits.position).all(axis=1).any():
+        raise InputError(f"{arm.name}: criterion 'limits': no joint has two limits; an arm that has is accepted")
     stepper = Stepper(arm, law, task)
     path, q = begin(stepper, path, q0, dt, seed)
     bound = np.pi / dt if stop_rate is None else positive(stop_rate, "stop_rate")
