@@ -335,7 +335,8 @@ def test_no_compiler(cache, monkeypatch, variables):
     """The NumPy code takes its place, with one warning that says what to do; a compiler that comes later is used."""
     for name, value in variables.items():
         monkeypatch.setenv(name, value)
-    with pytest.warns(cr.NoCompilerWarning, match=re.escape("no C compiler was found (set CC)")):
+    told = "CC is 'no-such-compiler'" if variables["CC"] else "set CC"
+    with pytest.warns(cr.NoCompilerWarning, match=re.escape(f"no C compiler was found ({told})")):
         works(compiled=False)
     with warnings.catch_warnings():
         warnings.simplefilter("error")

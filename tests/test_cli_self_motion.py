@@ -213,7 +213,7 @@ def test_no_best_posture_within_the_limits_exits_with_one(call, tmp_path):
     ("arguments", "said"),
     [
         (("lenarcic_3r",), "one of --target and --at gives it"),
-        (("lenarcic_3r", "--target", "0.4"), "--target: 1 numbers given; 2 are accepted"),
+        (("lenarcic_3r", "--target", "0.4"), "--target: 1 number given; 2 are accepted"),
         (("lenarcic_3r", "--target", "0.4,x"), "--target, entry 2"),
         (("lenarcic_3r", "--target", "nan,0"), "--target, entry 1"),
         (("lenarcic_3r", "--target", "0.4,0", "--at", "0,0,0"), "not both"),

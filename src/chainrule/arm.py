@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from chainrule import arms as embedded
 from chainrule.description import Description, Inertia, Orthogonal3R, Planar, with_inertias, with_limits
-from chainrule.errors import InputError
+from chainrule.errors import InputError, shown
 from chainrule.evaluators import Evaluator, Evaluators
 from chainrule.readers import dh, families, read
 
@@ -209,7 +209,7 @@ class Arm:
         return Arm, (self._description,)  # copies and other processes find the functions anew
 
     def __repr__(self) -> str:
-        return f"<Arm {self.name}: {self.n} joints ({self.kinds})>"
+        return f"<Arm {self.name}: {self.n} joint{'s' * (self.n != 1)} ({self.kinds})>"
 
     # ---- what is generated for it ------------------------------------------------------------------------------
 
@@ -302,9 +302,10 @@ class Arm:
         """
         task = self._task(task)
         if self.tasks[task] > self.n:
+            others = " or ".join(f"'{name}'" for name in self.full_rank_tasks)
             raise InputError(
-                f"{self.name}: the task '{task}' has {self.tasks[task]} rows for {self.n} joints, so its "
-                "Jacobian has no maximal minors; a task with no more rows than joints is accepted"
+                f"{self.name}: the task '{task}' has {self.tasks[task]} rows for {self.n} joint{'s' * (self.n != 1)}, "
+                f"so its Jacobian has no maximal minors; {others or 'an arm with more joints'} is accepted"
             )
         return task
 
@@ -475,6 +476,23 @@ class Arm:
         return found  # type: ignore[return-value]  # three each
 
 
+def checked_arm(value: Any) -> Arm:
+    """``value``, if it is an arm.
+
+    Raises:
+        InputError: anything else, such as the name of an arm.
+
+    Example:
+        >>> checked_arm("panda")
+        Traceback (most recent call last):
+            ...
+        chainrule.errors.InputError: arm: 'panda'; an Arm is accepted, such as chainrule.load('panda') gives
+    """
+    if not isinstance(value, Arm):
+        raise InputError(f"arm: {shown(value)}; an Arm is accepted, such as chainrule.load('panda') gives")
+    return value
+
+
 def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | None = None) -> Arm:
     """An arm by name or from a file.
 
@@ -491,8 +509,12 @@ def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | 
         >>> load("panda")
         <Arm panda: 7 joints (RRRRRRR)>
     """
+    if not isinstance(source, str | os.PathLike):
+        raise InputError(f"an arm is loaded by its name or from a .toml or .urdf file, not from {shown(source)}")
     text = os.fspath(source)
     if isinstance(source, str) and text in embedded.names():
+        if tip is not None or base is not None:
+            raise InputError(f"{text}: tip and base are accepted for a .urdf only; an embedded arm is one chain")
         return Arm(read(embedded.path(text)))
     if isinstance(source, str) and not text.lower().endswith((".toml", ".urdf", ".xacro")) and not os.path.exists(text):
         embedded.path(text)  # raises, with the list of names

@@ -6,7 +6,9 @@ Every command takes ``--json``. Exit codes: 0 done, 1 the answer is no (a check 
 
 from __future__ import annotations
 
+import io
 import os
+import re
 import sys
 import warnings
 from collections.abc import Sequence
@@ -54,6 +56,26 @@ def _warn(message: Warning | str, category: type[Warning], *rest: Any, **more: A
     complain(f"note: {message}")
 
 
+def _outlets() -> None:
+    """Standard output and error, which a parent may have closed or made unfit for a sign such as ≥."""
+    for name in ("stdout", "stderr"):
+        stream = getattr(sys, name)
+        if stream is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115  as long as the process
+        elif isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
+
+
+def _usage(error: Any) -> str:
+    """What is wrong with a command line, and where help is."""
+    context = error.ctx
+    where = "chainrule" if context is None else context.command_path
+    said = error.format_message().rstrip(".")
+    if re.search(r": -[0-9.]", said):
+        said += " (write -- before an argument that begins with a minus sign)"
+    return f"{said}; {where} --help tells what is accepted"
+
+
 #: What Typer raises for a command line it cannot read (its own class where it carries its own parser).
 _REFUSED: type[Exception] = typer.BadParameter.__mro__[2]
 
@@ -61,6 +83,7 @@ _REFUSED: type[Exception] = typer.BadParameter.__mro__[2]
 def run(arguments: Sequence[str] | None = None) -> int:
     """Run one command and return its exit code."""
     warnings.showwarning = _warn
+    _outlets()
     command = typer.main.get_command(app)
     words = sys.argv[1:] if arguments is None else list(arguments)
     try:
@@ -75,12 +98,19 @@ def run(arguments: Sequence[str] | None = None) -> int:
     except _REFUSED as error:
         if type(error).__name__ == "NoArgsIsHelpError":
             return 2  # the help was printed
-        complain(error.format_message())  # type: ignore[attr-defined]
+        complain(_usage(error))
     except BrokenPipeError:  # the reader of our output has gone: nothing more to say
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except OSError as error:
-        complain(f"{error.filename or 'a file'}: {error.strerror or error}")
+        complain(f"{error.filename or 'the output'}: {error.strerror or error}")
+    except ModuleNotFoundError as error:
+        name = (error.name or str(error)).partition(".")[0]
+        complain(f"the package {name}, which this needs, cannot be imported; installing chainrule with pip brings it")
+    except OverflowError:
+        complain("a number given is too large: what follows from it is beyond the range of double precision")
+    except MemoryError:
+        complain("there is not enough memory for so much at once")
     except (KeyboardInterrupt, typer.Abort):
         complain("interrupted")
         return 130

@@ -24,7 +24,7 @@ from typing import Any
 
 from chainrule.derive import manifest as records
 from chainrule.description import Model
-from chainrule.errors import GenerationError
+from chainrule.errors import GenerationError, shown
 
 Progress = Callable[[str], None]
 
@@ -311,8 +311,10 @@ def compile_unit(folder: Path, name: str) -> Path | None:
     """
     command = compiler()
     if command is None:
+        chosen = os.environ.get(COMPILER_VARIABLE)
+        told = f"{COMPILER_VARIABLE} is {shown(chosen)}" if chosen else f"set {COMPILER_VARIABLE}"
         warnings.warn(
-            "no C compiler was found (set CC): using the generated NumPy code, which is slower",
+            f"no C compiler was found ({told}): using the generated NumPy code, which is slower",
             NoCompilerWarning,
             stacklevel=2,
         )

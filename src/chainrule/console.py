@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from chainrule.errors import InputError, shown
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -56,8 +56,31 @@ def configuration(text: str, arm: Arm, deg: bool = False, what: str = "--q") -> 
     """One number for each joint, in rad or m; with ``deg`` those of revolute joints are given in degrees."""
     found = numbers(text, what)
     if len(found) != arm.n:
-        raise InputError(f"{what}: {len(found)} numbers given; {arm.name} has {arm.n} joints")
+        raise InputError(f"{what}: {_counted(found)} given; {arm.name} has {arm.n} joint{'s' * (arm.n != 1)}")
+    turning = [value for value, kind in zip(found, arm.kinds, strict=True) if kind == "R"]
+    angle(max(turning, key=abs, default=0.0), deg, what)
     return [math.radians(value) if deg and kind == "R" else value for value, kind in zip(found, arm.kinds, strict=True)]
+
+
+def angle(value: float, deg: bool, what: str) -> float:
+    """An angle in rad, from degrees with ``deg``; without it, one of more than two turns is wondered at."""
+    if not deg and abs(value) > 4.0 * math.pi:
+        turns = abs(value) / (2.0 * math.pi)
+        complain(f"note: {what}: {value:g} is taken as rad, {turns:.3g} turns; --deg is for degrees")
+    return math.radians(value) if deg else value
+
+
+def bounds(text: str, arm: Arm, deg: bool, what: str) -> list[float]:
+    """One number for all joints or one for each, per s or s²; with ``deg`` those of revolute joints are in degrees."""
+    found = numbers(text, what)
+    if len(found) not in (1, arm.n):
+        raise InputError(f"{what}: {_counted(found)} given; one, or one for each of {arm.n} joints, is accepted")
+    each = found * arm.n if len(found) == 1 else found
+    return [math.radians(value) if deg and kind == "R" else value for value, kind in zip(each, arm.kinds, strict=True)]
+
+
+def _counted(found: list[float]) -> str:
+    return f"{len(found)} number{'s' * (len(found) != 1)}"
 
 
 def finite(array: Any) -> Any:
@@ -145,7 +168,7 @@ def numbers(text: str, what: str, count: int | None = None) -> list[float]:
             raise InputError(f"{what}, entry {place}: {shown(entry)} is not a finite number")
         found.append(float(entry))
     if count is not None and len(found) != count:
-        raise InputError(f"{what}: {len(found)} numbers given; {count} are accepted")
+        raise InputError(f"{what}: {_counted(found)} given; {count} {'is' if count == 1 else 'are'} accepted")
     return found
 
 
@@ -160,10 +183,8 @@ def write_figure(drawing: Figure, path: Path) -> None:
     from chainrule.derive.manifest import write_whole
     from chainrule.plot.style import COLOURS, styled
 
+    figure_file(path)
     kind = path.suffix.lower().removeprefix(".")
-    if kind not in ("svg", "png", "pdf"):
-        raise InputError(f"{path}: a figure is written as .svg, .png or .pdf")
-    output_file(path)
     buffer = io.BytesIO()
     dated: dict[str, Any] = {"svg": {"Date": None}, "pdf": {"CreationDate": None}, "png": {}}
     with styled():

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from chainrule.errors import GenerationError, InputError
+from chainrule.errors import GenerationError, InputError, shown
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -47,12 +47,16 @@ def generate(
         >>> [p.name for p in generate(cr.planar("RP", [0.5, 0.0]), folder, targets=["python"])]
         ['README.md', 'planar_rp.py', 'test_planar_rp.py']
     """
+    targets = (targets,) if isinstance(targets, str) else tuple(targets)
+    if not isinstance(directory, str | os.PathLike):
+        raise InputError(f"directory: {shown(directory)}; the path of a folder is accepted")
     unknown = [target for target in targets if target not in TARGETS]
     if unknown or not targets:
         raise InputError(f"targets: {unknown or 'none'}; one or more of {', '.join(TARGETS)} are accepted")
+    from chainrule.arm import checked_arm
     from chainrule.derive import manifest, standalone
 
-    files = standalone.folder(arm.description, tuple(targets), progress)
+    files = standalone.folder(checked_arm(arm).description, targets, progress)
     target = Path(directory)
     try:
         for name, text in sorted(files.items()):

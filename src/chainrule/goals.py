@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 from chainrule.timing import ROUNDING, JointMove, Synchronise, min_time
@@ -63,7 +63,7 @@ def postures(arm: Arm, x: float, y: float, alpha: float) -> Postures:
         array([[  0.  ,  90.  , -90.  ],
                [ 53.13, -90.  ,  36.87]])
     """
-    if arm.description.model.name != "planar_rrr":
+    if checked_arm(arm).description.model.name != "planar_rrr":
         raise InputError(f"{arm.name}: the postures of a pose are known for planar arms with three revolute joints")
     target = real_array([x, y, alpha], "the pose (x, y, alpha)")
     if target.shape != (3,):

@@ -36,11 +36,11 @@ def real_array(value: Any, name: str, *, finite: bool = True) -> NDArray[Any]:
     return array
 
 
-def whole_number(value: Any, name: str, least: int = 1) -> int:
-    """``value`` as an int of at least ``least``.
+def whole_number(value: Any, name: str, least: int = 1, most: int | None = None) -> int:
+    """``value`` as an int of at least ``least``, and at most ``most``.
 
     Raises:
-        InputError: anything else: a fraction, nan, text, a truth value, a smaller number.
+        InputError: anything else: a fraction, nan, text, a truth value, a smaller or larger number.
 
     Example:
         >>> whole_number(3, "size")
@@ -52,4 +52,6 @@ def whole_number(value: Any, name: str, least: int = 1) -> int:
         found = least - 1
     if isinstance(value, (bool, np.bool_)) or found < least:
         raise InputError(f"{name}: {shown(value)}; a whole number, {least} or more, is accepted")
+    if most is not None and found > most:
+        raise InputError(f"{name}: {shown(value)}; up to {most} are accepted")
     return found

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array, whole_number
 from chainrule.search import FREE_TRAVEL, Found, best_of, box, climb, maximise, samples, turns_freely
@@ -75,7 +75,7 @@ def checked_task(arm: Arm, task: str | None) -> str:
     Raises:
         InputError: a task the arm has no maximal minors for.
     """
-    known = arm.full_rank_tasks
+    known = checked_arm(arm).full_rank_tasks
     if task is None:
         task = arm.default_task if arm.default_task in known or not known else known[-1]
     if task not in known:

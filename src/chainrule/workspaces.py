@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.description import Description, check_finite
 from chainrule.errors import InputError, shown
 from chainrule.orientations import FULL, SAME, Everywhere, circle_in, orientations, seen_from_tip
@@ -182,7 +182,7 @@ def workspace(arm: Arm) -> Workspace:
         >>> limited.primary, round(limited.area, 9)
         ((), 4.077101645)
     """
-    return _of(arm.description)
+    return _of(checked_arm(arm).description)
 
 
 @lru_cache(maxsize=32)

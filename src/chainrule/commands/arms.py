@@ -85,7 +85,7 @@ def show(arm: ArmName, tip: Tip = None, base: Base = None, as_json: Json = False
             }
         )
         return
-    say(f"{loaded.name}: {loaded.n} joints ({loaded.kinds})")
+    say(f"{loaded.name}: {loaded.n} joint{'s' * (loaded.n != 1)} ({loaded.kinds})")
     say(f"source: {tables.printable(loaded.description.source) or 'not given'}")
     for found in listed.values():
         for table in found:

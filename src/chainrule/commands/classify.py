@@ -22,7 +22,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file, output_file
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -52,13 +52,13 @@ def classify(
     figure: Annotated[
         Path | None,
         typer.Option(
-            metavar="FILE", callback=output_file, help="Draw singular curves, cusps and postures (.svg, .png, .pdf)."
+            metavar="FILE", callback=figure_file, help="Draw singular curves, cusps and postures (.svg, .png, .pdf)."
         ),
     ] = None,
     domains: Annotated[
         Path | None,
         typer.Option(
-            metavar="FILE", callback=output_file, help="Draw the family's design space with the design marked."
+            metavar="FILE", callback=figure_file, help="Draw the family's design space with the design marked."
         ),
     ] = None,
     output: Annotated[

@@ -12,6 +12,7 @@ from chainrule.console import (
     Base,
     Json,
     Tip,
+    angle,
     app,
     configuration,
     load_arm,
@@ -23,7 +24,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file
 
 if TYPE_CHECKING:
     from chainrule.following import Followed
@@ -54,7 +55,7 @@ def follow(
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
     figure: Annotated[
         Path | None,
-        typer.Option(callback=output_file, help="Draw the path, updates and offsets into FILE (.svg, .png or .pdf)."),
+        typer.Option(callback=figure_file, help="Draw the path, updates and offsets into FILE (.svg, .png or .pdf)."),
     ] = None,
     tip: Tip = None,
     base: Base = None,
@@ -91,8 +92,6 @@ def follow(
 
 def _path(file: Path | None, given: dict[str, str | None], deg: bool) -> TipPath:
     """The one path that was given."""
-    from math import radians
-
     from chainrule.paths import Circle, Ellipse, Line
 
     named = {name: text for name, text in given.items() if text is not None}
@@ -113,7 +112,7 @@ def _path(file: Path | None, given: dict[str, str | None], deg: bool) -> TipPath
     if len(values) not in (4, 5):
         raise InputError(f"--ellipse: {len(values)} numbers given; 4 or 5 are accepted")
     turn = values[4] if len(values) == 5 else 0.0
-    return Ellipse(values[:2], values[2:4], rotation=radians(turn) if deg else turn)
+    return Ellipse(values[:2], values[2:4], rotation=angle(turn, deg, "--ellipse"))
 
 
 def _print(runs: list[Followed], path: TipPath) -> None:

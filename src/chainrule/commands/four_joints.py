@@ -22,7 +22,7 @@ from chainrule.console import (
     say,
     write_figure,
 )
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file
 
 
 @app.command()
@@ -34,7 +34,7 @@ def four_joints(
     curvature_rate: Annotated[str, typer.Option(help="Its desired change along the path, 1/m².")] = "0",
     deg: Annotated[bool, typer.Option("--deg", help="Angles in --q are degrees.")] = False,
     figure: Annotated[
-        Path | None, typer.Option(callback=output_file, help="Draw the conditions into FILE (.svg, .png or .pdf).")
+        Path | None, typer.Option(callback=figure_file, help="Draw the conditions into FILE (.svg, .png or .pdf).")
     ] = None,
     tip: Tip = None,
     base: Base = None,

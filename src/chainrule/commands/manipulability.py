@@ -22,7 +22,7 @@ from chainrule.console import (
     say,
     write_figure,
 )
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file
 
 
 @app.command()
@@ -34,11 +34,11 @@ def manipulability(
     ] = None,
     figure: Annotated[
         Path | None,
-        typer.Option(callback=output_file, help="Draw the map of H over two joints: a .svg, .png or .pdf file."),
+        typer.Option(callback=figure_file, help="Draw the map of H over two joints: a .svg, .png or .pdf file."),
     ] = None,
     postures: Annotated[
         Path | None,
-        typer.Option(callback=output_file, help="Draw the postures in which H is largest (planar arms), likewise."),
+        typer.Option(callback=figure_file, help="Draw the postures in which H is largest (planar arms), likewise."),
     ] = None,
     tip: Tip = None,
     base: Base = None,

@@ -12,7 +12,9 @@ from chainrule.console import (
     Base,
     Json,
     Tip,
+    angle,
     app,
+    bounds,
     configuration,
     load_arm,
     numbers,
@@ -22,7 +24,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -40,10 +42,11 @@ def min_time(
         str | None, typer.Option(help="Instead of --to, for planar 3R arms: x, y in m and the last link's angle.")
     ] = None,
     velocity: Annotated[
-        str | None, typer.Option(help="Largest velocities, one for each joint; the arm's own when left out.")
+        str | None,
+        typer.Option(help="Largest velocities, one or one for each joint; the arm's own when left out."),
     ] = None,
     acceleration: Annotated[
-        str | None, typer.Option(help="Largest accelerations, one for each joint; the arm's own when left out.")
+        str | None, typer.Option(help="Largest accelerations, likewise; the arm's own when left out.")
     ] = None,
     synchronise: Annotated[
         str, typer.Option(help="none; time: joints end together; phase: a straight line in joint space.")
@@ -53,7 +56,7 @@ def min_time(
     ] = False,
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
     figure: Annotated[
-        Path | None, typer.Option(callback=output_file, help="Draw the profiles into FILE (.svg, .png or .pdf).")
+        Path | None, typer.Option(callback=figure_file, help="Draw the profiles into FILE (.svg, .png or .pdf).")
     ] = None,
     tip: Tip = None,
     base: Base = None,
@@ -105,23 +108,21 @@ def _bounds(text: str | None, what: str, arm: Arm, deg: bool) -> Any:
     import numpy as np
 
     if text is not None:
-        return np.array(configuration(text, arm, deg, f"--{what}"))
+        return np.array(bounds(text, arm, deg, f"--{what}"))
     own = getattr(arm.limits, what)
     missing = [name for name, bound in zip(arm.joint_names, own, strict=True) if not np.isfinite(bound)]
     if missing:
         raise InputError(
-            f"{arm.name} has no {what} limit for {', '.join(missing)}; --{what} with {arm.n} numbers gives it"
+            f"{arm.name} has no {what} limit for {', '.join(missing)}; --{what} with 1 or {arm.n} numbers gives it"
         )
     return own
 
 
 def _postures(text: str, arm: Arm, deg: bool) -> Postures:
-    from math import radians
-
     from chainrule.goals import postures
 
     x, y, alpha = numbers(text, "--pose", 3)
-    return postures(arm, x, y, radians(alpha) if deg else alpha)
+    return postures(arm, x, y, angle(alpha, deg, "--pose"))
 
 
 def _unreachable(found: Postures, arm: Arm, as_json: bool) -> None:

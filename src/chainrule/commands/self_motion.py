@@ -14,6 +14,7 @@ from chainrule.console import (
     Json,
     Task,
     Tip,
+    angle,
     app,
     configuration,
     load_arm,
@@ -25,7 +26,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError, shown
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file, output_file
 
 if TYPE_CHECKING:
     from chainrule.arm import Arm
@@ -69,7 +70,7 @@ def self_motion(
     gamma: Annotated[float, typer.Option(help="Step of --method eigenvector, rad.")] = 0.001,
     scale: Annotated[float, typer.Option(help="Metres that count as one radian of a prismatic joint.")] = 1.0,
     figure: Annotated[
-        Path | None, typer.Option(metavar="FILE", callback=output_file, help="Draw it into a .svg, .png or .pdf file.")
+        Path | None, typer.Option(metavar="FILE", callback=figure_file, help="Draw it into a .svg, .png or .pdf file.")
     ] = None,
     animation: Annotated[
         Path | None,
@@ -122,6 +123,8 @@ def self_motion(
         _print(loaded, found, chosen, best)
         if near is not None:
             _say_near(loaded, near)
+        if limits and found.feasible is None:
+            say(f"{loaded.name} has no position limits.")
         for path in files:
             say(path)
     if found.status == "unreachable" or (best is not None and chosen is None):
@@ -155,10 +158,8 @@ def _target(arm: Arm, task: str, target: str | None, at: str | None, along: str 
             raise InputError("what is held is missing: one of --target and --at gives it")
         return np.zeros(shape)
     found = np.array(numbers(target, "--target", math.prod(shape))).reshape(shape)
-    if deg and task == "x_alpha":
-        found[1] = math.radians(found[1])
-    elif deg and shape == (3,) and task == "pose":
-        found[2] = math.radians(found[2])
+    if task == "x_alpha" or (shape == (3,) and task == "pose"):
+        found[-1] = angle(float(found[-1]), deg, "--target")
     return found
 
 

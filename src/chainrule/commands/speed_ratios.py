@@ -23,7 +23,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError, shown
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file
 
 if TYPE_CHECKING:
     from chainrule.speed_ratio import Leading
@@ -41,7 +41,7 @@ def speed_ratios(
     ] = "1",
     deg: Annotated[bool, typer.Option("--deg", help="Angles in --q are degrees.")] = False,
     figure: Annotated[
-        Path | None, typer.Option(callback=output_file, help="Draw the paths into FILE (.svg, .png or .pdf).")
+        Path | None, typer.Option(callback=figure_file, help="Draw the paths into FILE (.svg, .png or .pdf).")
     ] = None,
     tip: Tip = None,
     base: Base = None,

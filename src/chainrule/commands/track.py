@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Annotated, Any
@@ -15,6 +16,8 @@ from chainrule.console import (
     Task,
     Tip,
     app,
+    bounds,
+    complain,
     configuration,
     load_arm,
     numbers,
@@ -25,6 +28,7 @@ from chainrule.console import (
     write_figure,
 )
 from chainrule.errors import InputError, shown
+from chainrule.outputs import figure_file, output_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -59,7 +63,10 @@ def track(
         typer.Option(metavar="DX,DY[,DZ]", help="Instead: a line from the tip of the start posture, m."),
     ] = None,
     duration: Annotated[
-        float | None, typer.Option(help="With --circle and --line: s from rest to rest, 2 when left out.")
+        float | None,
+        typer.Option(
+            help="With --circle and --line: s from rest to rest, 2 when left out. With poses without times: s in all."
+        ),
     ] = None,
     start: Annotated[
         str | None,
@@ -73,7 +80,8 @@ def track(
         str, typer.Option(help=f"How the joints to spare are used: {', '.join(METHODS)}.")
     ] = "gradient_projection",
     gain: Annotated[
-        float | None, typer.Option(help="Gain of the criterion; -2 when left out. Negative gains lower it.")
+        float | None,
+        typer.Option(help="Gain of the criterion: -2, or 2 for H, when left out. Negative gains lower it."),
     ] = None,
     criterion: Annotated[str, typer.Option(help="H, 1/H, H^(-1/2) or limits.")] = "H^(-1/2)",
     feedback: Annotated[
@@ -105,9 +113,17 @@ def track(
     tolerance: Annotated[
         float | None, typer.Option(help="Exit with 1 also if the tip is farther than this from the path, m.")
     ] = None,
-    figure: Annotated[Path | None, typer.Option(metavar="FILE", help="Draw it into a .svg, .png or .pdf file.")] = None,
+    figure: Annotated[
+        Path | None, typer.Option(metavar="FILE", callback=figure_file, help="Draw it into a .svg, .png or .pdf file.")
+    ] = None,
     csv: Annotated[
-        Path | None, typer.Option("--csv", metavar="FILE", help="Every sample: time, joints, rates, torques, errors.")
+        Path | None,
+        typer.Option(
+            "--csv",
+            metavar="FILE",
+            callback=output_file,
+            help="Every sample: time, joints, rates, torques, errors.",
+        ),
     ] = None,
     deg: Annotated[bool, typer.Option("--deg", help="Angles given are degrees.")] = False,
     tip: Tip = None,
@@ -122,11 +138,13 @@ def track(
     """
     loaded = _limited(load_arm(arm, tip, base), velocity, acceleration, deg)
     _check(csv, compare, forecast, duration, path, tolerance)
+    if (limits or method == "limited") and not _any_limits(loaded):
+        raise InputError(f"{loaded.name} has no limits to keep; --velocity and --acceleration give some")
     if limits and method == "gradient_projection":
         method = "limited"
     chosen = _methods(loaded, compare, method, limits)
     task = loaded.task_of_full_rank(task)
-    desired, posture = _path(loaded, task, path, circle, line, 2.0 if duration is None else duration, start, deg)
+    desired, posture = _path(loaded, task, path, circle, line, duration, start, deg)
     if desired.turning is None and task != "position" and (posture is None or isinstance(posture, str)):
         raise InputError(
             f"the path says no orientation, and the task '{task}' holds one: that of the posture that --start gives"
@@ -140,11 +158,12 @@ def track(
     }
     if limits and method == "pseudoinverse":
         raise InputError("--limits: 'pseudoinverse' does not keep them; limited and global do")
+    if chosen == ("pseudoinverse",) and gain is not None:
+        raise InputError("--gain: 'pseudoinverse' has none; gradient_projection and limited take one")
+    _wonder(gain, criterion)
     if forecast:
         _forecast(loaded, desired, posture, gain, options, as_json)
         return
-    if chosen == ("pseudoinverse",) and gain is not None:
-        raise InputError("--gain: 'pseudoinverse' has none; gradient_projection and limited take one")
     with progressing() as progress:
         posture = _settled(loaded, desired, posture, gain, options, chosen)
         found = {}
@@ -184,8 +203,8 @@ def _check(
         raise InputError(f"{csv}: a table of samples is written as .csv")
     if compare is not None and (csv is not None or forecast):
         raise InputError(f"{'--csv' if csv is not None else '--forecast'} is for one method, not for --compare")
-    if duration is not None and path is not None:
-        raise InputError("--duration is for --circle and --line; a --path has its own time")
+    if duration is not None and path in NAMED:
+        raise InputError(f"--duration: the path '{path}' has its own time")
     if tolerance is not None and not tolerance > 0.0:
         raise InputError(f"--tolerance: {tolerance:g} m; a positive length is accepted")
 
@@ -195,8 +214,7 @@ def _limited(arm: Arm, velocity: str | None, acceleration: str | None, deg: bool
     given: dict[str, Any] = {}
     for name, text in (("velocity", velocity), ("acceleration", acceleration)):
         if text is not None:
-            single = len(numbers(text, f"--{name}")) == 1
-            given[name] = configuration(",".join([text] * arm.n) if single else text, arm, deg, f"--{name}")
+            given[name] = bounds(text, arm, deg, f"--{name}")
     return arm.with_limits(**given) if given else arm
 
 
@@ -217,6 +235,15 @@ def _methods(arm: Arm, compare: str | None, method: str, limits: bool) -> tuple[
     return names
 
 
+def _wonder(gain: float | None, criterion: str) -> None:
+    """Tell of a gain that leads to what its criterion is to keep the arm away from."""
+    from chainrule.redundancy.asked import default_gain
+
+    if gain is not None and -math.inf < gain * default_gain(criterion) < 0.0:
+        towards = "the middles of the joints' ranges are left" if criterion == "limits" else "singularities are sought"
+        complain(f"note: --gain {gain:g} {'raises' if gain > 0.0 else 'lowers'} {criterion}, so that {towards}")
+
+
 def _any_limits(arm: Arm) -> bool:
     limits = arm.limits
     return any(bool(abs(each).min() < float("inf")) for each in (limits.position, limits.velocity, limits.acceleration))
@@ -228,7 +255,7 @@ def _path(
     path: str | None,
     circle: float | None,
     line: str | None,
-    duration: float,
+    duration: float | None,
     start: str | None,
     deg: bool,
 ) -> tuple[TaskPath, Any]:
@@ -245,11 +272,16 @@ def _path(
         posture: Any = sanchez.STARTS[start]
     elif start in ("best", "followable"):
         posture = start
+    elif start is not None and start.isalpha():
+        named = f", or {', '.join(sanchez.STARTS)}" if arm.name == "sanchez_8r" else ""
+        raise InputError(f"--start: {shown(start)}; {arm.n} joint values, best or followable{named} are accepted")
     else:
         posture = None if start is None else configuration(start, arm, deg, "--start")
     if path is not None:
         if path not in NAMED:
-            return read_task_path(path), posture
+            if not path.lower().endswith((".toml", ".csv")):
+                raise InputError(f"--path: {shown(path)}; a .toml or .csv file, or {', '.join(NAMED)} is accepted")
+            return read_task_path(path, **({} if duration is None else {"duration": duration})), posture
         kind, own = NAMED[path]
         if posture is None and arm.name == "sanchez_8r":
             posture = sanchez.STARTS[own]
@@ -259,6 +291,7 @@ def _path(
             f"--start: '{posture}' needs a --path; {arm.n} joint values are accepted for --circle and --line"
         )
     posture = good_posture(arm, task) if posture is None else posture
+    duration = 2.0 if duration is None else duration
     if circle is not None:
         return circle_through(arm, posture, circle, duration), posture
     assert line is not None
@@ -329,6 +362,7 @@ def _good(run: Run, tolerance: float | None) -> bool:
 def _forecast(
     arm: Arm, path: TaskPath, posture: Any, gain: float | None, options: dict[str, Any], as_json: bool
 ) -> None:
+    from chainrule.redundancy.asked import default_gain
     from chainrule.redundancy.batch import forecast
     from chainrule.redundancy.track import track as follow
 
@@ -338,7 +372,7 @@ def _forecast(
         progress("following the path with several gains")
         if posture is None or isinstance(posture, str):
             posture = follow(arm, path, posture, gain=gain, **options).q[0]
-        told = forecast(arm, path, posture, -2.0 if gain is None else gain, **options)
+        told = forecast(arm, path, posture, default_gain(options["criterion"]) if gain is None else gain, **options)
     if as_json:
         print_json({"arm": arm.name, "path": path.to_dict(), "forecast": told.to_dict()})
     else:

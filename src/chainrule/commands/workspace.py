@@ -21,7 +21,7 @@ from chainrule.console import (
     say,
     write_figure,
 )
-from chainrule.outputs import output_file
+from chainrule.outputs import figure_file
 
 
 @app.command()
@@ -32,7 +32,7 @@ def workspace(
     ] = None,
     figure: Annotated[
         Path | None,
-        typer.Option("--figure", metavar="FILE", callback=output_file, help="Draw it into a .svg, .png or .pdf file."),
+        typer.Option("--figure", metavar="FILE", callback=figure_file, help="Draw it into a .svg, .png or .pdf file."),
     ] = None,
     tip: Tip = None,
     base: Base = None,

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.cuspidality.exact import rational
 from chainrule.cuspidality.normal_form import Regional
 from chainrule.description import Description, with_limits
@@ -412,8 +412,7 @@ def regional_3r(arm: Arm) -> Regional3R:
         >>> len(design.aspects()), design.cuspidal
         (2, True)
     """
-    if not isinstance(arm, Arm):
-        raise InputError(f"arm: {shown(arm)}; an Arm is accepted")
+    checked_arm(arm)
     if isinstance(arm, Orthogonal3R):
         return arm
     if isinstance(arm.description.geometry, Lengths):

@@ -10,8 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.errors import InputError
+from chainrule.inputs import real_array
 from chainrule.plot.style import COLOURS, WIDTH, figure, styled
 from chainrule.plot.workspace import fill, outline
 from chainrule.skeleton import Skeleton, skeleton
@@ -25,8 +26,15 @@ AZIMUTH, HEIGHT = np.radians(-58.0), np.radians(20.0)
 
 
 def draw_arm(arm: Arm, q: Any, title: str = "") -> Figure:
-    """The arm at ``q`` (n,): links, joints with their numbers, joint axes, the tip's frame, a scale in metres."""
-    bones = skeleton(arm, q)
+    """The arm at ``q`` (n,): links, joints with their numbers, joint axes, the tip's frame, a scale in metres.
+
+    Raises:
+        InputError: not an arm, or not one posture of it.
+    """
+    posture = real_array(q, "q")
+    if posture.shape != (checked_arm(arm).n,):
+        raise InputError(f"q: shape {posture.shape}; ({arm.n},), one value for each joint of {arm.name}, is accepted")
+    bones = skeleton(arm, posture)
     with styled():
         return _planar(arm, bones, title) if bones.planar else _spatial(arm, bones, title)
 

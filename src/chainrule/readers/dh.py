@@ -16,7 +16,7 @@ from chainrule.description import (
     with_limits,
 )
 from chainrule.errors import DescriptionError, shown
-from chainrule.readers.parts import as_transform, joint_kind, named_joints
+from chainrule.readers.parts import as_transform, constant_angle, joint_kind, named_joints
 
 #: The columns of a row, in order.
 COLUMNS = ("kind", "alpha", "a", "d", "theta")
@@ -41,6 +41,7 @@ def from_dh(
     """The arm of a Denavit-Hartenberg table.
 
     A row is (kind, alpha, a, d, theta): kind "R" or "revolute", "P" or "prismatic"; angles in rad, lengths in m.
+    Angles of more than a full turn are refused, because they were meant in degrees.
     With the joint variable q_i added to theta (R) or d (P), link i's frame is placed in link i-1's by
 
     * modified (Craig): Rx(alpha) Tx(a) Rz(theta) Tz(d), where alpha and a belong to the link before the joint;
@@ -101,7 +102,7 @@ def _row(row: Sequence[Any], number: int) -> DHRow:
         raise DescriptionError(f"row {number}: {shown(row)}; five entries ({', '.join(COLUMNS)}) are accepted")
     kind, *numbers = row
     alpha, a, d, theta = (
-        check_finite(value, f"row {number}, column '{column}'")
+        (constant_angle if column in ("alpha", "theta") else check_finite)(value, f"row {number}, column '{column}'")
         for column, value in zip(COLUMNS[1:], numbers, strict=True)
     )
     return DHRow(joint_kind(kind, f"row {number}, column 'kind'"), alpha, a, d, theta)

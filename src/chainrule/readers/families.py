@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from chainrule.description import MAX_JOINTS, Description, Orthogonal3R, Planar, check_finite
 from chainrule.errors import DescriptionError, shown
-from chainrule.readers.parts import joint_kind, named_joints
+from chainrule.readers.parts import constant_angle, joint_kind, named_joints
 
 
 def planar(
@@ -42,6 +42,7 @@ def planar(
     word = [joint_kind(kind, f"kinds, joint {i}") for i, kind in enumerate(kinds, 1)]
     turns = _numbers(headings, "headings", len(word)) if headings is not None else (0.0,) * len(word)
     for i, (kind, turn) in enumerate(zip(word, turns, strict=True), 1):
+        constant_angle(turn, f"headings, joint {i}")
         if kind == "R" and turn != 0.0:
             raise DescriptionError(f"headings, joint {i}: {turn}; a revolute joint takes 0, its angle turns it")
     return Description(

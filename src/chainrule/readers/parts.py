@@ -15,6 +15,28 @@ _KINDS: dict[str, JointKind] = {"R": "R", "P": "P", "revolute": "R", "prismatic"
 _ORTHONORMAL = 1e-6
 
 
+#: rad, a little more than 2 pi. A constant angle beyond it, if it is not so many quarter turns, was meant in degrees.
+FULL_TURN = 6.3
+
+
+def constant_angle(value: Any, what: str) -> float:
+    """A constant angle of a description, in rad; :class:`DescriptionError` where it is more than a full turn.
+
+    >>> constant_angle(90, "row 2, column 'alpha'")
+    Traceback (most recent call last):
+        ...
+    chainrule.errors.DescriptionError: row 2, column 'alpha': 90 rad is more than a full turn; rad are accepted, and \
+degrees in a TOML file that says angles = "deg"
+    """
+    angle = check_finite(value, what)
+    if abs(angle) > FULL_TURN and angle != round(angle / (math.pi / 2)) * (math.pi / 2):
+        raise DescriptionError(
+            f"{what}: {angle:g} rad is more than a full turn; rad are accepted, and degrees in a TOML file that says "
+            'angles = "deg"'
+        )
+    return angle
+
+
 def as_transform(value: Any, what: str) -> Transform:
     """A :class:`Transform` from one, a 4 x 4 (rows), a translation (3,) in m, or None for no displacement.
 

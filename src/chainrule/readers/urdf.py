@@ -26,8 +26,10 @@ from __future__ import annotations
 import math
 import os
 import re
+import warnings
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import PurePath
 from typing import Any
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
@@ -47,7 +49,7 @@ from chainrule.description import (
 )
 from chainrule.errors import DescriptionError, shown
 from chainrule.readers.files import located, read_limited
-from chainrule.readers.parts import rotation_rpy
+from chainrule.readers.parts import FULL_TURN, rotation_rpy
 
 #: Larger files are refused (the description of a whole humanoid takes about 1 MiB), and so are files with more
 #: elements, or elements nested deeper.
@@ -328,6 +330,11 @@ def _origin(element: Element, where: str) -> Transform:
     _attributes(origin, ("xyz", "rpy"), where)
     x, y, z = _numbers(origin, "xyz", 3, where) if "xyz" in origin.attrib else (0.0, 0.0, 0.0)
     roll, pitch, yaw = _numbers(origin, "rpy", 3, where) if "rpy" in origin.attrib else (0.0, 0.0, 0.0)
+    if max(abs(roll), abs(pitch), abs(yaw)) > FULL_TURN:
+        warnings.warn(
+            f"{where}: rpy {roll:g} {pitch:g} {yaw:g} is more than a full turn; a URDF is in rad, not in degrees",
+            stacklevel=2,
+        )
     return Transform.shift(x, y, z) @ rotation_rpy(roll, pitch, yaw)
 
 
@@ -482,7 +489,9 @@ class _Tree:
 
 def _known_link(name: str | None, links: dict[str, Inertia | None], what: str) -> str | None:
     if name is not None and name not in links:
-        raise DescriptionError(f"{what} {shown(name)} is not a link of the file; it has {_listed(list(links))}")
+        near = get_close_matches(str(name), links, n=6) if len(links) > 6 else []
+        has = f"like it are {_listed(near)}" if near else f"it has {_listed(list(links))}"
+        raise DescriptionError(f"{what} {shown(name)} is not a link of the file; {has}")
     return name
 
 

@@ -23,6 +23,8 @@ Secondary = Callable[[float, Array], tuple[Any, Any]]
 
 #: Samples of a path when no dt is given.
 SAMPLES = 300
+#: The most steps of a run.
+MOST_STEPS = 1_000_000
 #: Feedback when none is given: the share of the error that one step takes away.
 FEEDBACK = 0.5
 
@@ -63,8 +65,20 @@ class Extras:
 
 
 def number_of_steps(path: TaskPath, dt: float | None) -> int:
-    """Into how many steps a path is divided."""
-    return SAMPLES if dt is None else max(1, round(path.duration / positive(dt, "dt")))
+    """Into how many steps a path is divided.
+
+    Raises:
+        InputError: a step that is not positive, longer than the path's time, or so short that memory would not do.
+    """
+    if dt is None:
+        return SAMPLES
+    shortest = path.duration / MOST_STEPS
+    if not shortest <= positive(dt, "dt") <= path.duration * (1.0 + 1e-9):
+        raise InputError(
+            f"dt: {dt:g} s; from {shortest:.3g} to {path.duration:g} s are accepted for a path that takes "
+            f"{path.duration:g} s"
+        )
+    return max(1, round(path.duration / dt))
 
 
 def gains(gain: float | Mapping[str, float] | None, criterion: str) -> dict[str, float]:
@@ -73,7 +87,16 @@ def gains(gain: float | Mapping[str, float] | None, criterion: str) -> dict[str,
         return dict(gain)
     if criterion not in CRITERIA:
         raise InputError(f"criterion: {shown(criterion)}; {', '.join(CRITERIA)} are accepted")
-    return {criterion: -2.0 if gain is None else real_number(gain, "gain")}
+    return {criterion: default_gain(criterion) if gain is None else real_number(gain, "gain")}
+
+
+def default_gain(criterion: str) -> float:
+    """The gain when none is given: away from singularities, and from limits.
+
+    >>> default_gain("H^(-1/2)"), default_gain("H")
+    (-2.0, 2.0)
+    """
+    return 2.0 if criterion == "H" else -2.0
 
 
 def both(feedback: float | Sequence[float] | None, dt: float) -> tuple[float, float]:

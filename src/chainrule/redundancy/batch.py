@@ -9,9 +9,10 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
+from chainrule.paths import real_number
 from chainrule.redundancy import starts as beginnings
 from chainrule.redundancy.asked import both, check_dimension, number_of_steps, orientation_of
 from chainrule.redundancy.measure import errors
@@ -132,9 +133,9 @@ def track_batch(
         >>> (found.peak_acceleration[0] > 1e3).tolist()     # the large gain needs the small step
         [[False, False], [True, False]]
     """
-    task = arm.task_of_full_rank(task)
+    task = checked_arm(arm).task_of_full_rank(task)
     if not isinstance(path, TaskPath):
-        raise InputError(f"path: {shown(path)}; a TaskPath is accepted")
+        raise InputError(f"path: {shown(path)}; a TaskPath is accepted, such as TaskPath.line gives")
     check_dimension(arm, path)
     if integrator not in _SCHEMES:
         raise InputError(f"integrator: {shown(integrator)}; {', '.join(_SCHEMES)} are accepted")
@@ -406,10 +407,11 @@ def forecast(
         >>> told.good
         False
     """
-    tried = float(gain) * np.array([1.0, *(share for share in TRIED if share != 1.0)])
+    gain = real_number(gain, "gain")
+    tried = gain * np.array([1.0, *(share for share in TRIED if share != 1.0)])
     tried = tried[:1] if gain == 0.0 else tried
     q = real_array(q0, "q0")
-    if q.shape != (arm.n,):
+    if q.shape != (checked_arm(arm).n,):
         raise InputError(f"q0: shape {q.shape}; ({arm.n},) is accepted")
     found = track_batch(arm, path, q, tried, dt, task=task, criterion=criterion, **options)
     most, off = positive(rate, "rate"), positive(error, "error")

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.errors import InputError
+from chainrule.errors import InputError, shown
 from chainrule.redundancy.asked import orientation_of
 from chainrule.redundancy.measure import measured
 from chainrule.redundancy.result import Run
@@ -58,6 +58,8 @@ def fastest_run(run: Run, path: TaskPath, *, velocity: Any = None, acceleration:
         >>> bool(quick.t[-1] < 1.0), quick.peak_rate < 2.0 + 1e-9, quick.worst_position_error < 1e-3
         (True, True, True)
     """
+    if not isinstance(run, Run):
+        raise InputError(f"run: {shown(run)}; a Run is accepted, such as chainrule.track gives")
     arm, task = run.arm, run.task
     if run.status != "complete" or len(run.t) < 2 or not (run.scale == 1.0).all():
         raise InputError(
@@ -67,6 +69,8 @@ def fastest_run(run: Run, path: TaskPath, *, velocity: Any = None, acceleration:
         path = path.holding(orientation_of(arm, run.q[0], path.dimension))
     fast = arm.limits.velocity if velocity is None else velocity
     push = arm.limits.acceleration if acceleration is None else acceleration
+    if acceleration is None and not np.isfinite(push).all():
+        raise InputError(f"{arm.name} has no acceleration limit for some of its joints; acceleration= gives it")
     found = time_scaling(joint_path(run), fast, push, method="toppra")
     count = max(1, math.ceil(found.duration / run.dt))
     t = np.linspace(0.0, found.duration, count + 1)

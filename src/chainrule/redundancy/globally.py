@@ -17,7 +17,7 @@ from typing import Any, Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm, Limits
+from chainrule.arm import Arm, Limits, checked_arm
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array, whole_number
 from chainrule.paths import real_number
@@ -197,7 +197,7 @@ def track_globally(
         >>> found.solved, found.run.worst_position_error < 1e-8
         (True, True)
     """
-    task = arm.task_of_full_rank(task)
+    task = checked_arm(arm).task_of_full_rank(task)
     if objective not in get_args(Stage):
         raise InputError(f"objective: {shown(objective)}; {', '.join(get_args(Stage))} are accepted")
     if criterion not in get_args(Criterion):

@@ -246,11 +246,15 @@ def follow_limited(
     """Follow a path inside the arm's limits; see :func:`chainrule.track`.
 
     Raises:
-        InputError: a start outside the position limits.
+        InputError: a start outside the position limits; a limit of velocity or acceleration of 0.
     """
     arm, law = stepper.arm, stepper.law
     assert isinstance(law, Law)
     _check_start(arm, q0)
+    for what in ("velocity", "acceleration"):
+        still = [name for name, most in zip(arm.joint_names, getattr(arm.limits, what), strict=True) if most == 0.0]
+        if still:
+            raise InputError(f"{arm.name}: the {what} limit of {', '.join(still)} is 0; a positive one is accepted")
     log, status, reason = _run(stepper, path, q0, dt, extras, bound)
     along, q = np.array(log.along), np.array(log.q)
     rates, share = np.array(log.rates), np.array(log.share)

@@ -17,6 +17,8 @@ Array = NDArray[Any]
 
 #: A manipulability below this share of the largest so far is near a singularity.
 NEAR = 0.1
+#: A start that misses the first target by more than this, m or rad, is off the path.
+OFF = 1e-3
 
 
 def measured(
@@ -78,7 +80,7 @@ def measured(
     if has_inertias(arm):
         torque = arm.inverse_dynamics(q, rates, accelerations, gravity=gravity, wrench=wrench)
     away, turned = errors(arm, task, found.error)
-    everything = [*events, *nearing(t, found.manipulability, near)]
+    everything = [*beginning(away, turned), *events, *nearing(t, found.manipulability, near)]
     return Run(
         arm=arm,
         task=task,
@@ -153,6 +155,15 @@ def frame_errors(arm: Arm, task: str, q: Array, held: Array, away: Array, turned
     elif turned.shape[1] == 1:  # in the plane: x and y of the tip turn together, z stays
         found[:, :2], found[:, 2] = 2.0 * np.abs(np.sin(turned / 2.0)), 0.0
     return found
+
+
+def beginning(away: Array, turned: Array) -> list[Event]:
+    """An event if the first sample misses its target by more than :data:`OFF`; errors (k, p) in m and (k, r) in rad."""
+    length, angle = (float(np.linalg.norm(part[:1])) for part in (away, turned))
+    if not max(length, angle) > OFF:
+        return []
+    text = f"the tip begins {1000.0 * length:.3g} mm and {round(np.degrees(angle), 6):.3g} degrees off the first target"
+    return [Event(0.0, "start off the path", text)]
 
 
 def nearing(t: Array, w: Array, near: float) -> list[Event]:

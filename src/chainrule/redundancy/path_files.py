@@ -255,6 +255,8 @@ def from_csv(content: bytes, **options: Any) -> TaskPath:
         turned = np.stack([columns[name] for name in ("qw", "qx", "qy", "qz")], axis=1)
         turned = np.array([_unit(row, f"row {i}") for i, row in zip(rows, turned.tolist(), strict=True)])
     if "t" not in columns:
+        if not options:
+            raise DescriptionError("no times; a column t, or a duration, speed, ... beside the file, is accepted")
         try:
             return TaskPath.poses(points, turned, **options)
         except InputError as error:

@@ -21,6 +21,7 @@ Status = Literal["complete", "stopped"]
 
 #: What each kind of event means.
 EVENTS = {
+    "start off the path": "the tip was farther than a millimetre or a milliradian from the first target",
     "singularity near": "the manipulability fell below the stated share of the largest so far",
     "limit met": "a joint came to a limit of position, velocity or acceleration",
     "task scaled": "the path is run more slowly than asked, because the limits leave no other way",

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.errors import InputError
 from chainrule.inputs import real_array
 from chainrule.redundancy.asked import orientation_of
@@ -40,7 +40,7 @@ def good_posture(arm: Arm, task: str | None = None) -> Array:
 def _tip(arm: Arm, q: Any) -> tuple[Array, Any]:
     """Where the tip is at a posture, and how it is turned."""
     posture = real_array(q, "q")
-    if posture.shape != (arm.n,):
+    if posture.shape != (checked_arm(arm).n,):
         raise InputError(f"q: shape {posture.shape}; ({arm.n},), one value for each joint of {arm.name}, is accepted")
     tip = np.asarray(arm.position(posture))
     return tip, orientation_of(arm, posture, tip.size)

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 from chainrule.redundancy import starts
@@ -79,10 +79,12 @@ def track(
         task: what is held; the arm's default task when absent.
         method: "gradient_projection"; "pseudoinverse", the same without null-space motion; "priority", with a secondary
             task.
-        gain: of the criterion, negative for 1/H and H^(-1/2), which it lowers; or gains by criterion. -2 when absent.
+        gain: of the criterion, negative for 1/H and H^(-1/2), which it lowers; or gains by criterion. When absent -2,
+            and 2 for H.
         criterion: "H", "1/H", "H^(-1/2)" or "limits"; see :class:`chainrule.redundancy.step.Law`.
         integrator: "euler" (the thesis), "heun" or "rk4" with steps of dt; "dop853", adaptive, sampled at dt.
-        dt: s; the path's duration is divided into the nearest whole number of them. A 300th of it when absent.
+        dt: s; the path's duration is divided into the nearest whole number of them, a million at most. A 300th of it
+            when absent.
         feedback: 1/s, of the position and orientation error, or one each; when absent half of an error goes in a step.
         damping: of the task near singularities.
         weights: (n,) of the joints: what a joint's motion costs.
@@ -110,17 +112,22 @@ def track(
         ('complete', 101, True)
     """
     if not isinstance(path, TaskPath):
-        raise InputError(f"path: {shown(path)}; a TaskPath is accepted")
-    task = arm.task_of_full_rank(task)
+        raise InputError(f"path: {shown(path)}; a TaskPath is accepted, such as TaskPath.line gives")
+    task = checked_arm(arm).task_of_full_rank(task)
     if integrator not in INTEGRATORS:
         raise InputError(f"integrator: {shown(integrator)}; {', '.join(INTEGRATORS)} are accepted")
     _check_method(method, gain, secondary)
     steps = number_of_steps(path, dt)
     dt = path.duration / steps
     law = _law(method, gain, criterion, feedback, damping, weights, dt)
+    if law.gains.get("limits") and not np.isfinite(arm.limits.position).all(axis=1).any():
+        raise InputError(f"{arm.name}: criterion 'limits': no joint has two limits; an arm that has is accepted")
     stepper = Stepper(arm, law, task)
     path, q = begin(stepper, path, q0, dt, seed)
     bound = np.pi / dt if stop_rate is None else positive(stop_rate, "stop_rate")
+    for name, function in (("push", push), ("secondary", secondary)):
+        if function is not None and not callable(function):
+            raise InputError(f"{name}: {shown(function)}; a function of t and q is accepted")
     extras = Extras(push, secondary)
     options: dict[str, Any] = {"near": near, "gravity": gravity, "wrench": wrench}
     if limits:

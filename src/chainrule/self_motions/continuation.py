@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from chainrule import compile as compiling
-from chainrule.arm import Arm
+from chainrule.arm import Arm, checked_arm
 from chainrule.description import Model, Planar, Serial
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
@@ -44,7 +44,7 @@ def held_task(arm: Arm, task: str | None) -> str:
     Raises:
         InputError: an unknown task, or n - m is not 1.
     """
-    task = arm.default_task if task is None else task
+    task = checked_arm(arm).default_task if task is None else task
     if task not in arm.tasks:
         raise InputError(f"{arm.name}: there is no task {shown(task)}; {', '.join(arm.tasks)} are accepted")
     if arm.n - arm.tasks[task] != 1:

@@ -22,7 +22,7 @@ from chainrule.self_motions.continuation import (
     start_points,
     target_shape,
 )
-from chainrule.self_motions.result import Component, SelfMotion
+from chainrule.self_motions.result import MOST_POINTS, Component, SelfMotion
 
 Array = NDArray[Any]
 
@@ -85,7 +85,7 @@ def self_motion(
     scale, starts = length_scale(scale), whole_number(starts, "starts")
     seed = whole_number(seed, "seed", 0)
     if points is not None:
-        points = whole_number(points, "points", 2)
+        points = whole_number(points, "points", 2, MOST_POINTS)
     closed = isinstance(arm.description.geometry, Planar) and arm.kinds == "RRR"
     if closed and method in (None, "closed form"):
         from chainrule.self_motions.planar_3r import planar_self_motion

@@ -22,7 +22,7 @@ from chainrule.self_motions import planar_case as deciding
 from chainrule.self_motions.planar_case import REGULAR, STATUS, evaluator
 from chainrule.self_motions.planar_components import component
 from chainrule.self_motions.planar_pieces import FREE, TURN, pieces_of, zero_length
-from chainrule.self_motions.result import SelfMotion
+from chainrule.self_motions.result import MOST_POINTS, SelfMotion
 
 Array = NDArray[Any]
 
@@ -199,7 +199,7 @@ def planar_self_motion(
         (2, 8.238309624, {'q2': 1, 'q1-direction': -1, 'q1+q2-direction': 1})
     """
     task, lengths, where = _checked(arm, target, task)
-    points = whole_number(points, "points", 2)
+    points = whole_number(points, "points", 2, MOST_POINTS)
     case, status, number, nothing = deciding.case_of(lengths, where, task)
     detail, parts = pieces_of(case, status, number, nothing)
     finish = partial(component, arm, where, task, points)

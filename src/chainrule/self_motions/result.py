@@ -27,6 +27,9 @@ from chainrule.inputs import real_array
 
 Array = NDArray[Any]
 
+#: The most points of a curve that can be asked for.
+MOST_POINTS = 100_000
+
 #: What each status means.
 STATUSES = {
     "regular": "every point of every curve is regular: the curves are smooth and apart from one another",
