@@ -207,7 +207,8 @@ def _holds(arm: Arm, flip: Flip) -> bool:
 
 def _flipped(curve: Component, flip: Flip) -> Component:
     sign, shift = _affine(flip, curve.q[0])
-    box = np.sort(curve.box * sign[:, np.newaxis] + shift[:, np.newaxis], axis=1)
+    box = curve.box * sign[:, np.newaxis] + shift[:, np.newaxis]
+    box[flip.first + 1] = box[flip.first + 1, ::-1]
     points = curve.points
     assert isinstance(points, Dense)  # curves that were followed
     moved = Dense(
