@@ -181,31 +181,28 @@ def _hits(grids: Sequence[Grid], bundle: Bundle, bounds: Array) -> _Hits:
     q, s = np.concatenate([grid.q for grid in grids]), np.concatenate([grid.s for grid in grids])
     begin = np.cumsum([0, *(len(grid.s) for grid in grids)])
     curve, revolute = np.repeat(np.arange(len(grids)), np.diff(begin)), bundle.held.revolute
-    finite = np.isfinite(bounds)[..., np.newaxis]
-    aims = np.where(finite, bounds[..., np.newaxis], 0.0)
-    columns = np.ascontiguousarray(q.T)[:, np.newaxis]
-    turns = columns - aims  # (n, 2, k): NumPy is fast along a last axis that is long
+    stops = bounds.ravel()  # of each joint the lower one and the upper one
+    finite, turning = np.isfinite(stops)[:, np.newaxis], np.repeat(revolute, 2)
+    turns = np.repeat(q.T, 2, axis=0)  # (2n, k): a row for each stop, since NumPy is fast along long last axes
+    turns -= np.where(finite, stops[:, np.newaxis], 0.0)
     turns /= TURN
     cell = np.floor(turns)
-    cell[~revolute] = np.minimum(np.maximum(cell[~revolute], -1.0), 0.0)
-    cross = (cell[..., 1:] != cell[..., :-1]) & finite
-    cross[..., begin[1:-1] - 1] = False
-    joint, side, row = np.unravel_index(np.flatnonzero(cross), cross.shape)
-    whole = np.where(revolute[joint], np.maximum(cell[joint, side, row], cell[joint, side, row + 1]), 0.0)
-    aim = bounds[joint, side] + TURN * whole
+    cell[~turning] = np.minimum(np.maximum(cell[~turning], -1.0), 0.0)
+    cross = cell[:, 1:] != cell[:, :-1]
+    cross &= finite
+    cross[:, begin[1:-1] - 1] = False
+    stop, row = np.unravel_index(np.flatnonzero(cross), cross.shape)
+    aim = stops[stop] + TURN * np.where(turning[stop], np.maximum(cell[stop, row], cell[stop, row + 1]), 0.0)
+    joint = stop // 2
     place = _reached(bundle, curve[row], s[row], s[row + 1], q[row, joint], q[row + 1, joint], joint, aim)
     edge = np.concatenate([grid.turns + start for grid, start in zip(grids, begin, strict=False)])
-    turns = turns[..., edge]
-    apart = np.abs(turns - np.where(revolute[:, np.newaxis, np.newaxis], np.rint(turns), 0.0)) * TURN
-    its_joint, its_side, touching = np.nonzero((apart <= 1e-13 * np.maximum(1.0, np.abs(columns[..., edge]))) & finite)
-    found = (
-        np.concatenate([curve[row], curve[edge[touching]]]),
-        np.concatenate([place, s[edge[touching]]]),
-        np.concatenate([joint, its_joint]),
-        np.concatenate([side, its_side]),
-    )
-    order = np.lexsort((found[1], found[0]))
-    return _Hits(*(part[order] for part in found))
+    near = turns[:, edge]
+    apart = np.abs(near - np.where(turning[:, np.newaxis], np.rint(near), 0.0)) * TURN
+    touched, touching = np.nonzero((apart <= 1e-13 * np.maximum(1.0, np.abs(q[edge].repeat(2, axis=1).T))) & finite)
+    curve = np.concatenate([curve[row], curve[edge[touching]]])
+    s, stop = np.concatenate([place, s[edge[touching]]]), np.concatenate([stop, touched])
+    order = np.lexsort((s, curve))
+    return _Hits(curve[order], s[order], *np.divmod(stop[order], 2))
 
 
 def _reached(

@@ -29,8 +29,11 @@ EXACT = 1e-14
 def turn(angle: Any) -> Array:
     """Rotations (..., 3, 3) about z."""
     c, s = np.cos(angle), np.sin(angle)
-    o, e = np.zeros_like(c), np.ones_like(c)
-    return np.stack([np.stack([c, -s, o], -1), np.stack([s, c, o], -1), np.stack([o, o, e], -1)], -2)
+    found = np.zeros((*np.shape(angle), 3, 3))
+    found[..., 0, 0], found[..., 0, 1] = c, -s
+    found[..., 1, 0], found[..., 1, 1] = s, c
+    found[..., 2, 2] = 1.0
+    return found
 
 
 @dataclass(frozen=True)
