@@ -76,9 +76,12 @@ class Bundle:
     def near(self, curve: Array, at: Array) -> Array:
         """(m, n): points of the quintics, scaled joints."""
         row, width, u = self.between(curve, at)
-        after, w = row + 1, width[:, np.newaxis]
-        first = self.x[row], self.t[row] * w, self.k[row] * w**2
-        return quintic(first, (self.x[after], self.t[after] * w, self.k[after] * w**2), u[:, np.newaxis])
+        w = width[:, np.newaxis]
+        first, last = (
+            (self.x.take(rows, axis=0), self.t.take(rows, axis=0) * w, self.k.take(rows, axis=0) * w**2)
+            for rows in (row, row + 1)
+        )
+        return quintic(first, last, u[:, np.newaxis])
 
     def at(self, curve: Array, at: Array, corrections: int = CORRECTIONS) -> tuple[Array, Array]:
         """(m, n): joint values on the curves, and unit tangents of scaled joints, of either sense."""

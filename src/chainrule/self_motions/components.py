@@ -10,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
-from chainrule.self_motions.continuation import Held, project, start_points, trace_many
+from chainrule.self_motions.continuation import Held, followed, project, start_points
 from chainrule.self_motions.identity import Known
 from chainrule.self_motions.result import Component
 from chainrule.self_motions.spherical import Flip, Structure
 from chainrule.self_motions.srs import Swivel
 from chainrule.self_motions.sweep import DISTINCT, Sweep
+from chainrule.self_motions.tracing import Settings
 
 Array = NDArray[Any]
 
@@ -67,7 +68,7 @@ def all_components(arm: Arm, target: Array, task: str, *, starts: int = 64, seed
 
 
 def _traced(held: Held, target: Array, starts: Array) -> tuple[Component, ...]:
-    return trace_many(held.arm, starts, held.task, targets=target, scale=held.scale) if len(starts) else ()
+    return followed(held, starts, target, Settings()) if len(starts) else ()
 
 
 # ---- S-R-S -------------------------------------------------------------------------------------------------------

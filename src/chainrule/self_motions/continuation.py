@@ -311,7 +311,7 @@ class Dense:
         if len(self.s) < 2:
             return np.broadcast_to(self.x[0] * self.held.unit, (*fractions.shape, len(self.held.unit))).copy()
         at = (fractions * self.s[-1]).ravel()
-        j = np.clip(np.searchsorted(self.s, at, side="right") - 1, 0, len(self.s) - 2)
+        j = np.minimum(np.maximum(np.searchsorted(self.s, at, side="right") - 1, 0), len(self.s) - 2)
         width = self.s[j + 1] - self.s[j]
         u = ((at - self.s[j]) / width)[:, np.newaxis]
         width = width[:, np.newaxis]
@@ -544,8 +544,15 @@ def trace_many(
     shared = wanted.ndim == len(target_shape(arm, task))
     if not shared and len(wanted) != len(begin):
         raise InputError(f"targets: {len(wanted)} for {len(begin)} starts; one for all or one each is accepted")
-    settings = Settings(1, longest, steps)
-    forward = list(traces(held, begin, wanted, settings, compiled=compiled))
+    return followed(held, begin, wanted, Settings(1, longest, steps), compiled=compiled)
+
+
+def followed(
+    held: Held, starts: Array, targets: Array, settings: Settings, *, compiled: bool = True
+) -> tuple[Component, ...]:
+    """As :func:`trace_many`, of what is checked already."""
+    shared = targets.ndim == len(target_shape(held.arm, held.task))
+    forward = list(traces(held, starts, targets, settings, compiled=compiled))
     lost = [k for k, each in enumerate(forward) if each.reason == "start"]
     if lost:
         raise InputError(
@@ -555,10 +562,10 @@ def trace_many(
     backward: dict[int, Trace] = {}
     if open_ones:
         again = replace(settings, direction=-1)
-        aims = wanted if shared else wanted[open_ones]
-        backward = dict(zip(open_ones, traces(held, begin[open_ones], aims, again, compiled=compiled), strict=True))
+        aims = targets if shared else targets[open_ones]
+        backward = dict(zip(open_ones, traces(held, starts[open_ones], aims, again, compiled=compiled), strict=True))
     return tuple(
-        component(held, each, backward.get(k), wanted if shared else wanted[k]) for k, each in enumerate(forward)
+        component(held, each, backward.get(k), targets if shared else targets[k]) for k, each in enumerate(forward)
     )
 
 

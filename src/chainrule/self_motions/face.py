@@ -22,7 +22,7 @@ from chainrule.self_motions.continuation import (
     start_points,
     target_shape,
 )
-from chainrule.self_motions.result import MOST_POINTS, Component, SelfMotion
+from chainrule.self_motions.result import ENDS, MOST_POINTS, Component, SelfMotion
 
 Array = NDArray[Any]
 
@@ -149,8 +149,6 @@ def _result(arm: Arm, task: str, target: Array, found: finding.Found, limits: bo
 
 
 def _reasons(curve: Component) -> tuple[str, ...]:
-    from chainrule.self_motions.result import ENDS
-
     return tuple("singular" for end in curve.ends if end in ("singular", ENDS["singular"]))
 
 

@@ -13,10 +13,12 @@ two derivatives at both), and refined; between neighbouring extrema a joint cros
 from __future__ import annotations
 
 import math
+from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import product
-from typing import Any
+from operator import gt
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -179,30 +181,28 @@ def _hits(grids: Sequence[Grid], bundle: Bundle, bounds: Array) -> _Hits:
     q, s = np.concatenate([grid.q for grid in grids]), np.concatenate([grid.s for grid in grids])
     begin = np.cumsum([0, *(len(grid.s) for grid in grids)])
     curve, revolute = np.repeat(np.arange(len(grids)), np.diff(begin)), bundle.held.revolute
-    finite = np.isfinite(bounds)
-    aims = np.where(finite, bounds, 0.0)
-    turns = (q[:, :, np.newaxis] - aims) / TURN  # (k, n, 2)
+    stops = bounds.ravel()  # of each joint the lower one and the upper one
+    finite, turning = np.isfinite(stops)[:, np.newaxis], np.repeat(revolute, 2)
+    turns = np.repeat(q.T, 2, axis=0)  # (2n, k): a row for each stop, since NumPy is fast along long last axes
+    turns -= np.where(finite, stops[:, np.newaxis], 0.0)
+    turns /= TURN
     cell = np.floor(turns)
-    cell[:, ~revolute] = np.minimum(np.maximum(cell[:, ~revolute], -1.0), 0.0)
-    cross = (cell[1:] != cell[:-1]) & finite
-    cross[begin[1:-1] - 1] = False
-    row, joint, side = np.nonzero(cross)
-    whole = np.where(revolute[joint], np.maximum(cell[row, joint, side], cell[row + 1, joint, side]), 0.0)
-    aim = bounds[joint, side] + TURN * whole
+    cell[~turning] = np.minimum(np.maximum(cell[~turning], -1.0), 0.0)
+    cross = cell[:, 1:] != cell[:, :-1]
+    cross &= finite
+    cross[:, begin[1:-1] - 1] = False
+    stop, row = np.unravel_index(np.flatnonzero(cross), cross.shape)
+    aim = stops[stop] + TURN * np.where(turning[stop], np.maximum(cell[stop, row], cell[stop, row + 1]), 0.0)
+    joint = stop // 2
     place = _reached(bundle, curve[row], s[row], s[row + 1], q[row, joint], q[row + 1, joint], joint, aim)
     edge = np.concatenate([grid.turns + start for grid, start in zip(grids, begin, strict=False)])
-    apart = np.abs(turns[edge] - np.where(revolute[:, np.newaxis], np.rint(turns[edge]), 0.0)) * TURN
-    touching, its_joint, its_side = np.nonzero(
-        (apart <= 1e-13 * np.maximum(1.0, np.abs(q[edge][:, :, np.newaxis]))) & finite
-    )
-    found = (
-        np.concatenate([curve[row], curve[edge[touching]]]),
-        np.concatenate([place, s[edge[touching]]]),
-        np.concatenate([joint, its_joint]),
-        np.concatenate([side, its_side]),
-    )
-    order = np.lexsort((found[1], found[0]))
-    return _Hits(*(part[order] for part in found))
+    near = turns[:, edge]
+    apart = np.abs(near - np.where(turning[:, np.newaxis], np.rint(near), 0.0)) * TURN
+    touched, touching = np.nonzero((apart <= 1e-13 * np.maximum(1.0, np.abs(q[edge].repeat(2, axis=1).T))) & finite)
+    curve = np.concatenate([curve[row], curve[edge[touching]]])
+    s, stop = np.concatenate([place, s[edge[touching]]]), np.concatenate([stop, touched])
+    order = np.lexsort((s, curve))
+    return _Hits(curve[order], s[order], *np.divmod(stop[order], 2))
 
 
 def _reached(
@@ -343,27 +343,41 @@ def feasible(
     if moving:
         curves = [components[index] for index in moving]
         grids, bundle = _grids(arm, task, curves)
-        hits = _hits(grids, bundle, bounds)
-        begin = np.searchsorted(hits.curve, np.arange(len(moving) + 1))
-        cuts = [_cuts(hits.s[begin[k] : begin[k + 1]]) for k in range(len(moving))]
-        cells = np.repeat(np.arange(len(moving)), [len(each) - 1 for each in cuts])
-        middles = np.concatenate([(each[1:] + each[:-1]) / 2.0 for each in cuts])
-        allowed = _turns(bundle.at(cells, middles * bundle.length[cells])[0], bounds, revolute)
-        begin = np.searchsorted(cells, np.arange(len(moving) + 1))
+        of, cuts = _cuts(_hits(grids, bundle, bounds), len(curves))
+        first = np.searchsorted(of, np.arange(len(curves) + 1)).tolist()
+        cell = np.flatnonzero(of[1:] == of[:-1])  # one lies between each cut and the next one of its curve
+        curve, at = np.append(of, of[cell]), np.append(cuts, (cuts[cell + 1] + cuts[cell]) / 2.0)
+        q = bundle.at(curve, at * bundle.length[curve])[0]
+        allowed = _turns(q[len(cuts) :], bounds, revolute)
+        least, most = ([tuple(turns) for turns in allowed[..., end].tolist()] for end in (0, 1))
         limited = np.isfinite(bounds).any(axis=1) & revolute
-        parts = [_parts(curve, cuts[k], allowed[begin[k] : begin[k + 1]], limited) for k, curve in enumerate(curves)]
-        spans = np.array([part[:2] for each in parts for part in each]).reshape(-1, 2)
-        of = np.repeat(np.arange(len(moving)), [len(each) for each in parts])
-        edges = _edges(bundle, curves, of, spans)
-        ends = iter(zip(edges, arm.manipulability(edges, task=task), strict=True))
-        for k, index in enumerate(moving):
-            every[index] = [_arc(curves[k], grids[k], part, *next(ends), index) for part in parts[k]]
+        parts = []
+        for k, (each, begin, end) in enumerate(zip(curves, first, first[1:], strict=False)):
+            mine = slice(begin - k, end - k - 1)
+            parts.append(_parts(each, cuts[begin:end].tolist(), least[mine], most[mine], limited))
+        ends = q[: len(cuts)]
+        arcs = iter(_arcs(curves, grids, parts, first, ends, arm.manipulability(ends, task=task), moving))
+        for each, index, those in zip(curves, moving, parts, strict=True):
+            every[index] = [next(arcs) if part.ends else _whole(each, part, index) for part in those]
     return tuple(part for index in sorted(every) for part in every[index])
 
 
-#: From where to where (fractions of a closed curve's length beyond 1 too), moved by which whole turns, why it ends; a
-#: curve left whole runs from 0 to 1 and ends nowhere.
-Part = tuple[float, float, tuple[int, ...], tuple[str, ...]]
+class Part(NamedTuple):
+    """What limits leave of a curve in one piece.
+
+    Attributes:
+        begin, end: from where to where, fractions of a closed curve's length beyond 1 too.
+        first, last: which of the curve's cuts these are, from 0 and counted on from round to round.
+        turns: (n,) the whole turns that move it into the limits.
+        ends: why it begins and ends there; empty for a curve left whole, which runs from 0 to 1.
+    """
+
+    begin: float
+    end: float
+    first: int
+    last: int
+    turns: tuple[int, ...]
+    ends: tuple[str, ...]
 
 
 def _grids(arm: Arm, task: str, curves: Sequence[Component]) -> tuple[list[Grid], Bundle]:
@@ -372,17 +386,6 @@ def _grids(arm: Arm, task: str, curves: Sequence[Component]) -> tuple[list[Grid]
     held = first.held if isinstance(first, Dense) else Held(arm, task, curves[0].scale)
     tables = [_known(held, curve) for curve in curves]
     return [table.monotone for table in tables], Bundle.of(held, tables)
-
-
-def _edges(bundle: Bundle, curves: Sequence[Component], of: Array, spans: Array) -> Array:
-    """(parts, 2, n): joint values at both ends of parts of curves."""
-    if not len(of):
-        return np.zeros((0, 2, bundle.x.shape[1]))
-    rounds = np.where([curves[k].closed for k in of], np.floor(spans).T, 0.0).T
-    curve, at = np.repeat(of, 2), ((spans - rounds) * bundle.length[of][:, np.newaxis]).ravel()
-    q = bundle.at(curve, at)[0].reshape(len(of), 2, -1)
-    winding = np.array([curves[k].winding for k in of])
-    return np.asarray(q + TURN * rounds[..., np.newaxis] * winding[:, np.newaxis])
 
 
 def _point(component: Component, bounds: Array, revolute: Array, index: int) -> list[Component]:
@@ -403,59 +406,72 @@ def _meets(boxes: Array, bounds: Array, revolute: Array) -> Array:
     return np.asarray(np.where(revolute, free | turned, (low <= 1e-9) & (high >= -1e-9)).all(axis=-1))
 
 
-def _cuts(hits: Array) -> Array:
-    """0, the places between, and 1; places that are one only once."""
-    inner = hits[(hits > SAME) & (hits < 1.0 - SAME)]
-    return np.concatenate([[0.0], inner[np.diff(inner, prepend=0.0) > SAME], [1.0]])
+def _cuts(hits: _Hits, curves: int) -> tuple[Array, Array]:
+    """Of every curve 0, the places between, and 1: curve and fraction; places that are one only once."""
+    inner = np.flatnonzero((hits.s > SAME) & (hits.s < 1.0 - SAME))
+    curve, s = hits.curve[inner], hits.s[inner]
+    new = np.ones(len(s), bool)
+    new[1:] = (s[1:] - s[:-1] > SAME) | (curve[1:] != curve[:-1])
+    every = np.arange(curves)
+    of = np.concatenate([every, curve[new], every])
+    cuts = np.concatenate([np.zeros(curves), s[new], np.ones(curves)])
+    order = np.lexsort((cuts, of))
+    return of[order], cuts[order]
 
 
-def _parts(component: Component, cuts: Array, allowed: Array, limited: Array) -> list[Part]:
-    """What is left of one curve between its cuts, given the whole turns allowed in each cell."""
-    if (allowed[..., 0] > allowed[..., 1]).any(axis=1).all():
-        return []
-    winding = tuple((component.winding * limited).tolist() if component.closed else [0] * len(limited))
-    found: list[Part] = []
-    places = cuts.tolist()
-    for run in _runs(allowed, winding, component.closed):
-        turns = run[0][1]
-        if run[0] == run[-1] and len(run) > 1:  # round and round
-            found.append((0.0, 1.0, turns, ()))
-            continue
-        rounds, last_cut = divmod(run[0][0] + len(run), len(allowed))
-        ends = tuple(_reason(component, allowed, winding, run, last) for last in (False, True))
-        found.append((places[run[0][0]], places[last_cut] + rounds, turns, ends))
-    return _distinct(found)
-
-
+#: The least and the most turns allowed in each cell of a curve (between neighbouring cuts).
+Turns = list[tuple[int, ...]]
+#: A cell, and turns of the joints.
 State = tuple[int, tuple[int, ...]]
 
 
-def _runs(allowed: Array, winding: tuple[int, ...], closed: bool) -> list[list[State]]:
-    """Maximal runs through cells (between crossings) and turns of the joints; one that closes repeats its first."""
-    cells = len(allowed)
-    waiting: dict[State, None] = {}
-    width = allowed[..., 1] - allowed[..., 0]
-    least, one = allowed[..., 0].tolist(), (width == 0).all(axis=1).tolist()
-    for cell in np.flatnonzero((width >= 0).all(axis=1)).tolist():
-        if one[cell]:
-            waiting[cell, tuple(least[cell])] = None
+def _parts(component: Component, cuts: list[float], least: Turns, most: Turns, limited: Array) -> list[Part]:
+    """What is left of one curve between its cuts, given the whole turns allowed in each cell."""
+    winding = tuple((component.winding * limited).tolist() if component.closed else [0] * len(limited))
+    found: list[Part] = []
+    for (first, turns), length, before, after in _runs(least, most, winding, component.closed):
+        last = first + length
+        if before == (first, turns):  # round and round
+            found.append(Part(0.0, 1.0, first, last, turns, ()))
             continue
-        spans = [range(low, low + more + 1) for low, more in zip(least[cell], width[cell].tolist(), strict=True)]
-        if math.prod(map(len, spans)) * cells > MOST * 16:
-            raise InputError("limits: they hold too many combinations of turns; limits of some turns are accepted")
-        waiting.update(dict.fromkeys((cell, turns) for turns in product(*spans)))
-    runs = []
+        rounds, last_cut = divmod(last, len(least))
+        ends = _reason(component, least, most, before, False), _reason(component, least, most, after, True)
+        found.append(Part(cuts[first], cuts[last_cut] + rounds, first, last, turns, ends))
+    return _distinct(found)
+
+
+def _runs(
+    least: Turns, most: Turns, winding: tuple[int, ...], closed: bool
+) -> list[tuple[State, int, State | None, State | None]]:
+    """Maximal runs through cells and turns: the first state, how many, and what comes before and after them.
+
+    What comes after one that closes, and before it, is its first.
+    """
+    cells = len(least)
+    waiting: dict[State, None] = {}
+    for cell, (low, high) in enumerate(zip(least, most, strict=True)):
+        if low == high:
+            waiting[cell, low] = None
+        elif not any(map(gt, low, high)):
+            spans = [range(begin, end + 1) for begin, end in zip(low, high, strict=True)]
+            if math.prod(map(len, spans)) * cells > MOST * 16:
+                raise InputError("limits: they hold too many combinations of turns; limits of some turns are accepted")
+            waiting.update(dict.fromkeys((cell, turns) for turns in product(*spans)))
+    runs: list[tuple[State, int, State | None, State | None]] = []
     for heads in (True, False):  # arcs first; what is left goes round
         for state in list(waiting):
-            if state not in waiting or (heads and _next(state, cells, winding, closed, -1) in waiting):
+            if state not in waiting:
                 continue
-            run: list[State] = []
+            before = _next(state, cells, winding, closed, -1) if heads else state
+            if heads and before in waiting:
+                continue
+            length = 0
             following: State | None = state
-            while following is not None and following in waiting:
+            while following in waiting:
                 del waiting[following]
-                run.append(following)
+                length += 1
                 following = _next(following, cells, winding, closed, 1)
-            runs.append([*run, state] if not heads else run)
+            runs.append((state, length, before, following))
     return runs
 
 
@@ -465,19 +481,19 @@ def _next(state: State, cells: int, winding: tuple[int, ...], closed: bool, step
         return cell, turns
     if not closed:
         return None
-    return cell % cells, tuple(k + step * w for k, w in zip(turns, winding, strict=True))
+    if any(winding):
+        turns = tuple(k + step * w for k, w in zip(turns, winding, strict=True))
+    return cell % cells, turns
 
 
-def _reason(component: Component, allowed: Array, winding: tuple[int, ...], run: list[State], last: bool) -> str:
-    beyond = _next(run[-1 if last else 0], len(allowed), winding, component.closed, 1 if last else -1)
+def _reason(component: Component, least: Turns, most: Turns, beyond: State | None, last: bool) -> str:
+    """Why a run ends before a state, or its curve there."""
     if beyond is None:
         return component.ends[int(last)] if component.ends else "end of the curve"
     cell, turns = beyond
-    for joint, (k, (low, high)) in enumerate(zip(turns, allowed[cell].tolist(), strict=True), 1):
-        if k > high:
-            return limit_reason(joint, True)
-        if k < low:
-            return limit_reason(joint, False)
+    for joint, (k, low, high) in enumerate(zip(turns, least[cell], most[cell], strict=True), 1):
+        if not low <= k <= high:
+            return limit_reason(joint, k > high)
     raise AssertionError("a run ends where the next cell is not allowed")
 
 
@@ -486,52 +502,96 @@ def _shifted(component: Component, begin: float, end: float, shift: Array) -> Ca
     return lambda s: component.at(begin + (end - begin) * np.asarray(s)) + shift
 
 
-def _arc(component: Component, grid: Grid, part: Part, edges: Array, heights: Array, index: int) -> Component:
-    """A part of a curve as a curve, given the configurations (2, n) and H (2,) at its ends."""
-    begin, end, turns, ends = part
-    shift = TURN * np.array(turns, float)
-    if not ends:
-        box = component.box + shift[:, np.newaxis]
-        points = _shifted(component, 0.0, 1.0, shift)
-        return replace(component, q=component.q + shift, box=box, of=index, points=points)
-    s, q, h = grid.s[:-1], [edges[:1] + shift], [heights]
-    for r in range(math.floor(begin), math.ceil(end)):
-        inside = slice(s.searchsorted(begin - r, "right"), s.searchsorted(end - r, "left"))
-        q.append(grid.q[inside] + (shift + TURN * r * component.winding))
-        h.append(grid.h[inside])
-    rows, values = np.concatenate([*q, edges[1:] + shift]), np.concatenate(h)
-    return Component(
-        q=rows,
-        length=component.length * (end - begin),
-        closed=False,
-        winding=0 * component.winding,
-        box=np.array([rows.min(axis=0), rows.max(axis=0)]).T,
-        manipulability=(float(values.min()), float(values.max())),
-        residual=component.residual,
-        closure=math.nan,
-        ends=ends,
-        signs=component.signs,
-        of=index,
-        span=(begin, end),
-        scale=component.scale,
-        points=_shifted(component, begin, end, shift),
-    )
+def _whole(component: Component, part: Part, index: int) -> Component:
+    """A curve left whole, moved by whole turns."""
+    shift = TURN * np.array(part.turns, float)
+    box = component.box + shift[:, np.newaxis]
+    points = _shifted(component, 0.0, 1.0, shift)
+    return replace(component, q=component.q + shift, box=box, of=index, points=points)
+
+
+def _arcs(
+    curves: Sequence[Component],
+    grids: Sequence[Grid],
+    parts: Sequence[Sequence[Part]],
+    first: Sequence[int],
+    ends: Array,
+    heights: Array,
+    indices: Sequence[int],
+) -> list[Component]:
+    """The parts of curves that are not whole as curves: of each the places of the grid in it, between its two ends.
+
+    Args:
+        curves: the curves.
+        grids: of each, its places.
+        parts: of each, what limits leave.
+        first: of each, which of all cuts is its first one; and how many there are.
+        ends: (cuts, n) the configurations at the cuts.
+        heights: (cuts,) H there.
+        indices: what ``of`` is for each curve.
+    """
+    arcs = [(k, part) for k, each in enumerate(parts) for part in each if part.ends]
+    if not arcs:
+        return []
+    q, h = np.concatenate([*(grid.q for grid in grids), ends]), np.concatenate([*(grid.h for grid in grids), heights])
+    places = [grid.s[:-1].tolist() for grid in grids]
+    top = np.cumsum([0, *(len(grid.s) for grid in grids)]).tolist()
+    pieces = []  # the first row of each, and how many; which arc's, and the round of the curve
+    for arc, (k, (begin, end, one, other, _, _)) in enumerate(arcs):
+        pieces.append((top[-1] + first[k] + one, 1, arc, 0))
+        for r in range(math.ceil(end)):
+            low, high = bisect_right(places[k], begin - r), bisect_left(places[k], end - r)
+            pieces.append((top[k] + low, high - low, arc, r))
+        cells = first[k + 1] - first[k] - 1
+        rounds, other = divmod(other, cells) if curves[k].closed else (0, other)
+        pieces.append((top[-1] + first[k] + other, 1, arc, rounds))
+    start, count, arc_of, round_of = np.array(pieces).T
+    shifts = TURN * np.array([part.turns for _, part in arcs], float)
+    winding = np.array([curves[k].winding for k, _ in arcs])
+    moved = shifts[arc_of] + (TURN * round_of)[:, np.newaxis] * winding[arc_of]
+    after = np.cumsum(count)
+    row = np.arange(after[-1]) + np.repeat(start - after + count, count)
+    rows, values = q[row] + np.repeat(moved, count, axis=0), h[row]
+    begins = (after - count)[np.searchsorted(arc_of, np.arange(len(arcs)))]
+    boxes = np.stack([np.minimum.reduceat(rows, begins), np.maximum.reduceat(rows, begins)], axis=-1)
+    lowest, highest = np.minimum.reduceat(values, begins).tolist(), np.maximum.reduceat(values, begins).tolist()
+    stops = [*begins.tolist(), len(rows)]
+    still = np.zeros_like(winding)
+    return [
+        Component(
+            q=rows[stops[arc] : stops[arc + 1]],
+            length=curves[k].length * (part.end - part.begin),
+            closed=False,
+            winding=still[arc],
+            box=boxes[arc],
+            manipulability=(lowest[arc], highest[arc]),
+            residual=curves[k].residual,
+            closure=math.nan,
+            ends=part.ends,
+            signs=curves[k].signs,
+            of=indices[k],
+            span=(part.begin, part.end),
+            scale=curves[k].scale,
+            points=_shifted(curves[k], part.begin, part.end, shifts[arc]),
+        )
+        for arc, (k, part) in enumerate(arcs)
+    ]
 
 
 def _distinct(parts: list[Part]) -> list[Part]:
     """Without the parts that lie in another one, whole turns apart."""
     kept: list[Part] = []
-    for part in sorted(parts, key=lambda each: (each[0] - each[1], each[0], sum(map(abs, each[2])))):
-        begin, rounds = part[0], part[1] - part[0]
+    for part in sorted(parts, key=lambda each: (each.begin - each.end, each.begin, sum(map(abs, each.turns)))):
+        rounds = part.end - part.begin
         inside = any(
-            not other[3]
-            or other[1] - other[0] >= 1.0
-            or math.fmod(begin - other[0] + 1.0, 1.0) + rounds <= other[1] - other[0] + 1e-12
+            not other.ends
+            or other.end - other.begin >= 1.0
+            or math.fmod(part.begin - other.begin + 1.0, 1.0) + rounds <= other.end - other.begin + 1e-12
             for other in kept
         )
         if not inside:
             kept.append(part)
-    return sorted(kept, key=lambda each: each[0])
+    return sorted(kept, key=lambda each: each.begin)
 
 
 def ranges(parts: Sequence[Component]) -> Array:

@@ -29,8 +29,11 @@ EXACT = 1e-14
 def turn(angle: Any) -> Array:
     """Rotations (..., 3, 3) about z."""
     c, s = np.cos(angle), np.sin(angle)
-    o, e = np.zeros_like(c), np.ones_like(c)
-    return np.stack([np.stack([c, -s, o], -1), np.stack([s, c, o], -1), np.stack([o, o, e], -1)], -2)
+    found = np.zeros((*np.shape(angle), 3, 3))
+    found[..., 0, 0], found[..., 0, 1] = c, -s
+    found[..., 1, 0], found[..., 1, 1] = s, c
+    found[..., 2, 2] = 1.0
+    return found
 
 
 @dataclass(frozen=True)
@@ -207,7 +210,8 @@ def _holds(arm: Arm, flip: Flip) -> bool:
 
 def _flipped(curve: Component, flip: Flip) -> Component:
     sign, shift = _affine(flip, curve.q[0])
-    box = np.sort(curve.box * sign[:, np.newaxis] + shift[:, np.newaxis], axis=1)
+    box = curve.box * sign[:, np.newaxis] + shift[:, np.newaxis]
+    box[flip.first + 1] = box[flip.first + 1, ::-1]
     points = curve.points
     assert isinstance(points, Dense)  # curves that were followed
     moved = Dense(

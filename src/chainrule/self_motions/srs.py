@@ -198,10 +198,14 @@ def _about(axis: Array, angle: Array) -> Array:
 
 def _taking(start: Array, end: Array) -> Array:
     """A rotation (3, 3) that takes one direction to another."""
-    a, b = start / np.linalg.norm(start), end / np.linalg.norm(end)
-    first = np.eye(3) - np.outer(a, a)
-    side = first[:, np.argmax(np.linalg.norm(first, axis=0))]
-    other = np.eye(3) - np.outer(b, b)
-    match = other[:, np.argmax(np.linalg.norm(other, axis=0))]
-    u, v = side / np.linalg.norm(side), match / np.linalg.norm(match)
-    return np.asarray(np.stack([b, v, np.cross(b, v)], axis=1) @ np.stack([a, u, np.cross(a, u)], axis=1).T)
+    return np.asarray(_frame(end) @ _frame(start).T)
+
+
+def _frame(direction: Array) -> Array:
+    """A right-handed frame (3, 3), axes in columns, the first one in a direction."""
+    first = direction / np.linalg.norm(direction)
+    least = np.argmin(np.abs(first))
+    second = -first[least] * first
+    second[least] += 1.0
+    (x, y, z), (u, v, w) = first.tolist(), (second / np.linalg.norm(second)).tolist()
+    return np.array([[x, u, y * w - z * v], [y, v, z * u - x * w], [z, w, x * v - y * u]])
