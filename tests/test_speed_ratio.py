@@ -839,7 +839,7 @@ def test_the_command_takes_the_desired_change_and_says_no_at_a_singular_posture(
     [
         (("panda", "--q", "0,0,0", "--tangent", "1,0", "--curvature", "1"), "not planar"),
         (("ambike_3r", "--q", "0,0", "--tangent", "1,0", "--curvature", "1"), "--q: 2 numbers"),
-        (("ambike_3r", "--q", "0,1,2", "--tangent", "1", "--curvature", "1"), "--tangent: 1 numbers"),
+        (("ambike_3r", "--q", "0,1,2", "--tangent", "1", "--curvature", "1"), "--tangent: 1 number given"),
         (("ambike_3r", "--q", "0,1,2", "--tangent", "0,0", "--curvature", "1"), "length is 0"),
         (("ambike_3r", "--q", "0,1,2", "--tangent", "1,0", "--curvature", "one"), "--curvature, entry 1"),
         (("ambike_3r", "--q", "0,1,2", "--tangent", "1,0", "--curvature", "1", "--leading", "0"), "--leading: '0'"),
