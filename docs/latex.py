@@ -108,7 +108,7 @@ def _below(stem: str, below: str) -> str:
 
 def latex(expression: Expression) -> str:
     """An expression, on one line."""
-    printed: str = _Printer({"mul_symbol": r" \, "})._print(sp.sympify(expression))
+    printed: str = _Printer({"mul_symbol": r" \, "})._print(expression)
     return printed
 
 
