@@ -6,7 +6,6 @@ import re
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-import sympy as sp
 from sympy.printing.latex import LatexPrinter
 
 from chainrule.derive.program import Program, Step
