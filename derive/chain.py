@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from chainrule.derive.manipulability import Matrix, View, identity
 from chainrule.derive.program import Expression, Input, Output, Program, Steps, exact, variables
 from chainrule.description import Transform
 
@@ -241,18 +242,38 @@ def kinematics(arm: Chain, task: str) -> Program:
     )
 
 
-def minor_matrix(steps: Steps, arm: Chain, task: str) -> list[list[Expression]]:
+def minor_matrix(steps: Steps, arm: Chain, task: str) -> Matrix:
     """Rows of a matrix with the minors and the row space of the task Jacobian, seen from the best inner link.
 
     A rotation of the frame, and for the pose a move of its origin, has determinant one. The link is chosen
     that leaves the most zeros; q_1 never appears, and for the pose neither does q_n.
     """
+    return _matrix_from(steps, arm, task, _inner_link(arm, task))
+
+
+def minor_view(steps: Steps, arm: Chain, task: str) -> View:
+    """How a velocity of the task becomes the one that :func:`minor_matrix` times the joints' rates is."""
+    k = _inner_link(arm, task)
+    base = moved(steps, arm, frames_from_base(steps, arm).joints[k], k)
+    turn = [list(base.x), list(base.y), list(base.z)]  # R^T: the link's axes, by rows
+    none = [sp.Integer(0)] * 3
+    if task == "position":
+        return View(turn, identity(3))
+    a, b, c = frames_from_link(steps, arm, k).tip.p
+    lever = [[0, -c, b], [c, 0, -a], [-b, a, 0]]  # tip x: the velocity of the link's origin is v + tip x omega
+    move = identity(6)
+    for i in range(3):
+        move[i][3:] = [sp.sympify(entry) for entry in lever[i]]
+    return View([row + none for row in turn] + [none + row for row in turn], move)
+
+
+def _inner_link(arm: Chain, task: str) -> int:
+    """The link from which the matrix has the most zeros."""
     candidates = range(arm.n) if arm.n <= 10 else (arm.n // 2,)
-    best = max(candidates, key=lambda k: (sum(e == 0 for row in _matrix_from(Steps(), arm, task, k) for e in row), -k))
-    return _matrix_from(steps, arm, task, best)
+    return max(candidates, key=lambda k: (sum(e == 0 for row in _matrix_from(Steps(), arm, task, k) for e in row), -k))
 
 
-def _matrix_from(steps: Steps, arm: Chain, task: str, k: int) -> list[list[Expression]]:
+def _matrix_from(steps: Steps, arm: Chain, task: str, k: int) -> Matrix:
     frames = frames_from_link(steps, arm, k)
     if task == "position":
         columns = linear_columns(steps, arm, frames)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from functools import cache
+from itertools import groupby
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from chainrule.derive import lobatto, sincos
 from chainrule.derive.catalogue import Curve
 from chainrule.derive.listing import NUMPY, C, Listing, lay_out, leaf_source, runs
 from chainrule.derive.lower import Kernel, Port
+from chainrule.derive.skipping import blocks
 
 TEMPLATES = Path(__file__).resolve().parent.parent / "templates"
 
@@ -150,7 +152,7 @@ def _accesses(ports: Sequence[Port], first_place: int, first_step: int) -> list[
 
 
 def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
-    listing = Listing(kernel, C)
+    listing = Listing(kernel, C, blocks(kernel))
     layout = lay_out(listing)
     ports = kernel.inputs + kernel.outputs
     used = {run.port for run in runs(kernel, listing.angles)} | {
@@ -185,6 +187,10 @@ def _c_view(prefix: str, kernel: Kernel) -> dict[str, Any]:
                 "unused": [name for _, name in arrays if not s.mentions(name)],
             }
             for s in layout.sections
+        ],
+        "stretches": [
+            {"skip": skip, "numbers": [number for number, _ in group]}
+            for skip, group in groupby(enumerate(layout.sections, 1), key=lambda pair: pair[1].skip)
         ],
         "rows": sum(p.size for p in ports) + 2 * len(listing.angles) + layout.slots,
     }

@@ -8,7 +8,7 @@ from typing import Any
 import casadi as ca
 
 from chainrule.derive.catalogue import Function
-from chainrule.derive.lower import _graph, _sx
+from chainrule.derive.lower import casadi_expression, expression_graph
 from chainrule.derive.program import Program, needed
 from chainrule.errors import GenerationError
 
@@ -26,8 +26,11 @@ def casadi_function(function: Function, outputs: Sequence[str]) -> Any:
     kept = needed(
         Program(program.name, program.summary, program.inputs, program.steps, tuple(known[name] for name in outputs))
     )
-    arrays, values = _graph(kept)
-    results = [ca.cse(ca.vertcat(*(_sx(entry, values) for entry in output.expressions))) for output in kept.outputs]
+    arrays, values = expression_graph(kept)
+    results = [
+        ca.cse(ca.vertcat(*(casadi_expression(entry, values) for entry in output.expressions)))
+        for output in kept.outputs
+    ]
     used = [k for k, array in enumerate(arrays) if ca.depends_on(ca.vertcat(*results), array)]
     names = [kept.inputs[k].name for k in used]
     return ca.Function(function.name, [arrays[k] for k in used], results, names, list(outputs))

@@ -2,16 +2,17 @@
 
 Values used once are written inside the expression that uses them, up to a few operations. A long listing is cut
 into sections, each one loop over the tile; a value needed in a later section is kept in an array whose places are
-used again.
+used again. Sections of a part (skipping.py) run only where it is needed.
 """
 
 from __future__ import annotations
 
 import heapq
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 
 from chainrule.derive.lower import Kernel, Operand, Value
+from chainrule.derive.skipping import Block, Part
 from chainrule.errors import GenerationError
 
 #: Operations in one printed expression.
@@ -70,12 +71,26 @@ class Run:
 
 
 @dataclass(frozen=True)
+class Skip:
+    """When a part of the sections is passed over, and what that leaves: places are arrays with a row.
+
+    Attributes:
+        condition: where the condition is; only where it is 0 throughout is the part passed over.
+        zeros: rows of ``kept`` that are 0 then.
+    """
+
+    condition: tuple[str, int]
+    zeros: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class Section:
-    """One loop: values loaded, terms computed, entries stored."""
+    """One loop: values loaded, terms computed, entries stored; ``skip`` is the same for all sections of a part."""
 
     loads: tuple[str, ...]
     terms: tuple[str, ...]
     stores: tuple[str, ...]
+    skip: Skip | None = None
 
     def mentions(self, array: str) -> bool:
         """Whether the section reads or writes an array."""
@@ -96,8 +111,10 @@ class Statement:
 class Listing:
     """The statements of a kernel in one language, before they are laid out."""
 
-    def __init__(self, kernel: Kernel, language: Language) -> None:
+    def __init__(self, kernel: Kernel, language: Language, blocks: Sequence[Block] = ()) -> None:
+        """Of all values in their order or, with ``blocks``, in theirs."""
         self.kernel, self.language = kernel, language
+        self.blocks = tuple(blocks) or (Block(tuple(range(len(kernel.values))), None),)
         self.angles = _angles(kernel)
         self.names = _leaf_names(kernel, self.angles)
         self._texts: dict[int, tuple[str, int, int, tuple[int, ...]]] = {}
@@ -107,16 +124,21 @@ class Listing:
         ]:
             if isinstance(operand, int):
                 uses[operand] += 1
+        # What decides over a part, and what comes out of it, is needed by name.
+        named = {i for block in self.blocks if block.part for i in (block.part.condition, *block.part.results)}
         self.statements: list[Statement] = []
-        for index, value in enumerate(kernel.values):
-            if index in self.names or value.op in ("input", "sin", "cos"):
-                continue
-            text, precedence, size, reads = self._expression(value)
-            if uses[index] == 1 and size <= MOST_NESTED:
-                self._texts[index] = (text, precedence, size, reads)
-            else:
-                self.names[index] = f"t{len(self.statements) + 1}"
-                self.statements.append(Statement(index, text, reads))
+        self.ends: list[int] = []  # of each block, among the statements
+        for block in self.blocks:
+            for index in block.indices:
+                if index in self.names:
+                    continue
+                text, precedence, size, reads = self._expression(kernel.values[index])
+                if uses[index] == 1 and size <= MOST_NESTED and index not in named:
+                    self._texts[index] = (text, precedence, size, reads)
+                else:
+                    self.names[index] = f"t{len(self.statements) + 1}"
+                    self.statements.append(Statement(index, text, reads))
+            self.ends.append(len(self.statements))
 
     def text(self, operand: Operand) -> str:
         """An entry of the results, as text."""
@@ -214,37 +236,36 @@ def lay_out(listing: Listing) -> Layout:
     """Cut into sections and give every value that crosses a cut a place in ``kept``."""
     kernel, statements = listing.kernel, listing.statements
     position = {s.index: k for k, s in enumerate(statements)}
-    # An output entry is stored in the section that completes it.
+    cuts, part_of = _cuts(listing)
+    section_of = [number for number, (start, end) in enumerate(cuts) for _ in range(start, end)]
+
+    def stored_in(last: int) -> int:
+        """The section that stores what a statement completes: the next one that is never passed over."""
+        number = section_of[last] if statements else 0
+        return next(k for k in range(number, len(cuts)) if part_of[k] is None)
+
     entries: list[tuple[int, str, tuple[int, ...]]] = []
     for port, results in zip(kernel.outputs, kernel.results, strict=True):
         for row, operand in enumerate(results):
             reads = listing.reads(operand)
             last = max((position[r] for r in reads if r in position), default=0)
-            entries.append((last, f"{port.name}[{row} * LANES + i] = {listing.text(operand)}", reads))
-    count = 1 if len(statements) <= MOST_STATEMENTS else -(-len(statements) // CUT)
-    size = -(-len(statements) // count) if statements else 1
-
-    def section_of(place: int) -> int:
-        return min(place // size, count - 1)
-
+            entries.append((stored_in(last), f"{port.name}[{row} * LANES + i] = {listing.text(operand)}", reads))
     last_use: dict[int, int] = {}
-    for k, statement in enumerate(statements):
-        for read in statement.reads:
-            if read in position:
-                last_use[read] = max(last_use.get(read, 0), section_of(k))
-    for place, _, reads in entries:
+    uses = [(section_of[k], s.reads) for k, s in enumerate(statements)] + [(at, reads) for at, _, reads in entries]
+    for number, reads in uses:
         for read in reads:
             if read in position:
-                last_use[read] = max(last_use.get(read, 0), section_of(place))
+                last_use[read] = max(last_use.get(read, 0), number)
     free: list[int] = []
     slots = 0
     slot_of: dict[int, int] = {}
-    sections = []
-    for number in range(count):
+    rows: dict[int, int] = {}  # of every value that was ever kept
+    found = []
+    for number, (start, end) in enumerate(cuts):
         for read in [r for r, s in slot_of.items() if last_use[r] < number]:
             heapq.heappush(free, slot_of.pop(read))
-        mine = statements[number * size : (number + 1) * size]
-        stored = [(text, reads) for place, text, reads in entries if section_of(place) == number]
+        mine = statements[start:end]
+        stored = [(text, reads) for at, text, reads in entries if at == number]
         own = {s.index for s in mine}
         wanted = dict.fromkeys(r for reads in [*(s.reads for s in mine), *(r for _, r in stored)] for r in reads)
         loads = []
@@ -262,7 +283,32 @@ def lay_out(listing: Listing) -> Layout:
             if last_use.get(statement.index, number) > number:
                 slot = heapq.heappop(free) if free else slots
                 slots = max(slots, slot + 1)
-                slot_of[statement.index] = slot
+                slot_of[statement.index] = rows[statement.index] = slot
                 keep.append(f"kept[{slot} * LANES + i] = {listing.names[statement.index]}")
-        sections.append(Section(tuple(loads), tuple(terms), (*keep, *(text for text, _ in stored))))
+        found.append(Section(tuple(loads), tuple(terms), (*keep, *(text for text, _ in stored))))
+    sections = []
+    for section, part in zip(found, part_of, strict=True):
+        skip = None
+        if part is not None:
+            c = part.condition
+            place = ("kept", rows[c]) if c in position else leaf_source(kernel, listing.angles, c)
+            skip = Skip(place, tuple(rows[result] for result in part.results))
+        sections.append(replace(section, skip=skip))
     return Layout(tuple(sections), slots)
+
+
+def _cuts(listing: Listing) -> tuple[list[tuple[int, int]], list[Part | None]]:
+    """The sections' first statements and ends, and the part that each belongs to; the last one belongs to none."""
+    long = len(listing.statements) > MOST_STATEMENTS or len(listing.blocks) > 1
+    cuts: list[tuple[int, int]] = []
+    parts: list[Part | None] = []
+    start = 0
+    for block, end in zip(listing.blocks, listing.ends, strict=True):
+        length = end - start
+        count = max(1, -(-length // CUT)) if long else 1
+        size = max(1, -(-length // count))
+        for k in range(count):
+            cuts.append((min(start + k * size, end), min(start + (k + 1) * size, end)))
+            parts.append(block.part)
+        start = end
+    return cuts, parts

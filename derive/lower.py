@@ -77,9 +77,10 @@ class Kernel:
 
 def lower(function: Function) -> Kernel:
     """Lower one function of the catalogue."""
-    inputs, values = _graph(function.program)
+    inputs, values = expression_graph(function.program)
     outputs = [
-        (o.name, o.shape, ca.vertcat(*(_sx(e, values) for e in o.expressions))) for o in function.program.outputs
+        (o.name, o.shape, ca.vertcat(*(casadi_expression(e, values) for e in o.expressions)))
+        for o in function.program.outputs
     ]
     summary = function.program.summary
     if function.gradient:
@@ -131,7 +132,7 @@ def _where(x: Any, y: Any) -> Any:
     return ca.if_else(x != 0, y, 0)
 
 
-def _graph(program: Program) -> tuple[list[Any], dict[Any, Any]]:
+def expression_graph(program: Program) -> tuple[list[Any], dict[Any, Any]]:
     """CasADi inputs, and the graph of every symbol."""
     values: dict[Any, Any] = {}
     inputs = []
@@ -140,11 +141,11 @@ def _graph(program: Program) -> tuple[list[Any], dict[Any, Any]]:
         inputs.append(vector)
         values.update((symbol, vector[i]) for i, symbol in enumerate(given.symbols))
     for step in program.steps:
-        values[step.symbol] = _sx(step.expression, values)
+        values[step.symbol] = casadi_expression(step.expression, values)
     return inputs, values
 
 
-def _sx(e: Any, values: dict[Any, Any]) -> Any:
+def casadi_expression(e: Any, values: dict[Any, Any]) -> Any:
     """One small SymPy expression as a CasADi graph."""
     if e.is_Symbol:
         return values[e]
@@ -153,19 +154,23 @@ def _sx(e: Any, values: dict[Any, Any]) -> Any:
     if e.is_Add:
         # positive terms first: SymPy's order would begin many sums with a negation
         terms = sorted(e.args, key=lambda term: term.could_extract_minus_sign())
-        total = _sx(terms[0], values)
+        total = casadi_expression(terms[0], values)
         for term in terms[1:]:
-            total = total - _sx(-term, values) if term.could_extract_minus_sign() else total + _sx(term, values)
+            total = (
+                total - casadi_expression(-term, values)
+                if term.could_extract_minus_sign()
+                else total + casadi_expression(term, values)
+            )
         return total
     if e.is_Mul:
         if e.args[0] == -1:
-            return -_sx(e * -1, values)
-        product = _sx(e.args[0], values)
+            return -casadi_expression(e * -1, values)
+        product = casadi_expression(e.args[0], values)
         for factor in e.args[1:]:
-            product = product * _sx(factor, values)
+            product = product * casadi_expression(factor, values)
         return product
     if e.is_Pow:
-        base, exponent = _sx(e.base, values), e.exp
+        base, exponent = casadi_expression(e.base, values), e.exp
         if exponent == 2:
             return base * base
         if exponent == 0.5 or (exponent.is_Rational and exponent.q == 2 and exponent.p == 1):
@@ -177,19 +182,19 @@ def _sx(e: Any, values: dict[Any, Any]) -> Any:
             return power if exponent > 0 else 1 / power
     name = type(e).__name__
     if name in ("sin", "cos"):
-        return getattr(ca, name)(_sx(e.args[0], values))
+        return getattr(ca, name)(casadi_expression(e.args[0], values))
     if name in _PAIRS:
-        found = _sx(e.args[0], values)
+        found = casadi_expression(e.args[0], values)
         for argument in e.args[1:]:
-            found = _PAIRS[name](found, _sx(argument, values))
+            found = _PAIRS[name](found, casadi_expression(argument, values))
         return found
     if isinstance(e, GuardedInverse):
         # One choice, of 1 or 0: CasADi would carry a choice of 1/x or 0 into every product with it.
-        x = _sx(e.args[0], values)
+        x = casadi_expression(e.args[0], values)
         there = x != 0
         return 1 / (x + (1 - there)) * there
     if isinstance(e, Where):
-        return _where(_sx(e.args[0], values), _sx(e.args[1], values))
+        return _where(casadi_expression(e.args[0], values), casadi_expression(e.args[1], values))
     raise GenerationError(f"a step may not contain {name}: {e}")
 
 

@@ -8,6 +8,7 @@ need 246 of them. Where those become too many, an orthogonal factorisation takes
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from itertools import combinations
 
 import sympy as sp
@@ -15,6 +16,25 @@ import sympy as sp
 from chainrule.derive.program import Expression, GuardedInverse, Input, Output, Program, Steps
 
 Matrix = list[list[Expression]]  # rows
+
+
+@dataclass(frozen=True)
+class View:
+    """What leads from the task Jacobian J to a matrix ``move turn J`` with the same minors, row space and fewer terms.
+
+    Attributes:
+        turn: (m, m) orthogonal: the directions that the rows are seen along.
+        move: (m, m) of determinant 1, I + N with N N = 0: the point whose velocity is seen.
+    """
+
+    turn: Matrix
+    move: Matrix
+
+
+def identity(m: int) -> Matrix:
+    """I."""
+    return [[sp.Integer(i == j) for j in range(m)] for i in range(m)]
+
 
 #: Above this many sub-minors H comes from the factorisation (a 6 x 9 has 465, a 6 x 10 has 847).
 MOST_SUBMINORS = 500
@@ -39,7 +59,7 @@ def maximal_minors(steps: Steps, matrix: Matrix) -> list[Expression]:
     is put back at the end.
     """
     m, n = len(matrix), len(matrix[0])
-    order = sorted(range(m), key=lambda r: (sum(entry != 0 for entry in matrix[r]), r))
+    order = sparse_first(matrix)
     sign = -1 if sum(a > b for a, b in combinations(order, 2)) % 2 else 1
     known: dict[tuple[int, ...], Expression] = {(): sp.Integer(1)}
     for size in range(1, m + 1):
@@ -54,6 +74,11 @@ def maximal_minors(steps: Steps, matrix: Matrix) -> list[Expression]:
             current[columns] = steps.let("m" + "_".join(str(c + 1) for c in columns), total)
         known = current
     return [sign * known[columns] for columns in combinations(range(n), m)]
+
+
+def sparse_first(matrix: Matrix) -> list[int]:
+    """The rows in the order of their non-zero entries."""
+    return sorted(range(len(matrix)), key=lambda r: (sum(entry != 0 for entry in matrix[r]), r))
 
 
 def root_sum_of_squares(steps: Steps, entries: list[Expression]) -> Expression:
@@ -90,6 +115,40 @@ def orthonormal_rows(steps: Steps, matrix: Matrix, passes: int = 1) -> tuple[Mat
         basis.append([steps.let(f"unit{k}", entry * inverse) for entry in rest])
         lower.append([*shares, pivot])
     return basis, lower
+
+
+@dataclass(frozen=True)
+class OrthogonalRows:
+    """L Q = matrix, with rows of Q across one another (not of length 1) and L lower triangular, 1 on its diagonal.
+
+    Attributes:
+        rows: of Q.
+        lower: the entries of L left of the diagonal.
+        squares: of the lengths of Q's rows; their roots are the pivots of :func:`orthonormal_rows`.
+        inverses: of the squares; 0 for a row that vanishes.
+    """
+
+    rows: Matrix
+    lower: Matrix
+    squares: list[Expression]
+    inverses: list[Expression]
+
+
+def orthogonal_rows(steps: Steps, matrix: Matrix) -> OrthogonalRows:
+    """Modified Gram-Schmidt on the rows without square roots."""
+    found = OrthogonalRows([], [], [], [])
+    for k, row in enumerate(matrix, 1):
+        rest, shares = list(row), []
+        for other, inverse in zip(found.rows, found.inverses, strict=True):
+            along = sum((a * b for a, b in zip(other, rest, strict=True)), sp.Integer(0))
+            shares.append(steps.let(f"share{k}", along * inverse))
+            rest = [steps.let(f"rest{k}", b - shares[-1] * a) for a, b in zip(other, rest, strict=True)]
+        square = steps.let(f"square{k}", sum((entry**2 for entry in rest), sp.Integer(0)))
+        found.rows.append(rest)
+        found.lower.append(shares)
+        found.squares.append(square)
+        found.inverses.append(steps.let(f"inverse{k}", GuardedInverse(square)))
+    return found
 
 
 def minors_program(steps: Steps, inputs: tuple[Input, ...], matrix: Matrix, task: str) -> Program:

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from chainrule.derive.manipulability import View, identity
 from chainrule.derive.program import Expression, Input, Output, Program, Steps, variables
 
 Pair = tuple[Expression, Expression]
@@ -94,6 +95,15 @@ def matrix(steps: Steps, arm: PlanarChain, task: str, first: int = 0) -> list[li
 def minor_matrix(steps: Steps, arm: PlanarChain, task: str) -> list[list[Expression]]:
     """Rows of a matrix with the minors and row space of the task Jacobian; without q_1 where the task allows."""
     return matrix(steps, arm, task, first=0 if task == "x_alpha" else 1)
+
+
+def minor_view(steps: Steps, arm: PlanarChain, task: str) -> View:
+    """How a velocity of the task becomes the one that :func:`minor_matrix` times the joints' rates is."""
+    turn = identity(len(ROWS[task]))
+    if task != "x_alpha":
+        c, s = layout(steps, arm).headings[0]
+        turn[0][:2], turn[1][:2] = [c, s], [-s, c]
+    return View(turn, identity(len(turn)))
 
 
 def place_output(place: Layout, task: str) -> Output:

@@ -3,19 +3,25 @@
     rates = J* (v - K e) + (I - J+ J) g,    g = sum_k gain_k grad c_k + push,    q_next = q + dt rates
 
 J+ is the pseudoinverse weighted by the joints: of all rates that do the task it takes those with the least
-(rates - g)^T W (rates - g). With mobility_j = W_jj^(-1/2) the rows of J diag(mobility) are factored into R Q by
-twice-iterated Gram-Schmidt, Q with orthonormal rows and R lower triangular; then J+ v = diag(mobility) Q^T R^-1 v and
-(I - J+ J) g = diag(mobility) (I - Q^T Q) diag(stiffness) g, stiffness_j = 1 / mobility_j. A joint with 0 for both
-stands still. A row that vanishes in the factorisation is left out.
+(rates - g)^T W (rates - g). The rows are taken as an inner link sees them, M = A J, where they have the fewest terms:
+A turns them and, for the pose of a spatial arm, takes the velocity of another point, so that J rates = v where
+M rates = A v. With mobility_j = W_jj^(-1/2) the rows of M diag(mobility) are factored into L Q by modified
+Gram-Schmidt, L lower triangular with ones on its diagonal, Q with rows across one another up to rounding times the
+condition of J; D has the squares of their lengths. What is made of Q is as accurate as by reflections (Bjorck and Paige
+1992; Bjorck 1994): the shortest x with Q x = z row by row, from the last one, x becoming
+x + Q_k (z_k - Q_k x) / D_k, and what is left of u across the rows by u becoming u - Q_k (Q_k u) / D_k through all of
+them and back. Then J+ v = diag(mobility) Q^T D^-1 L^-1 A v and (I - J+ J) g =
+diag(mobility) (I - Q^T D^-1 Q) diag(stiffness) g, with stiffness_j = 1 / mobility_j. A joint with 0 for both stands
+still. A row that vanishes in the factorisation is left out.
 
-J* is J+ or, with damping mu, diag(mobility) Q^T R^T (R R^T + mu^2 I)^-1: least |J rates - v|^2 + mu^2 rates^T W rates.
-The null motion is not damped: it leaves the task alone, near singularities too.
+J* is J+ or, with damping mu and B = A^-1 L, diag(mobility) Q^T B^T (B D B^T + mu^2 I)^-1: least
+|J rates - v|^2 + mu^2 rates^T W rates. The null motion is not damped: it leaves the task alone, near singularities too.
 
     mu^2 = constant^2 + nakamura^2 max(0, 1 - H / H_0)^2 + chiaverini^2 max(0, 1 - (s / s_0)^2)
 
 (Nakamura and Hanafusa 1986; Chiaverini 1997), with s an estimate of the least singular value s_m of J diag(mobility),
 m rows: s_m / sqrt(m) <= s <= s_m, and s / s_m -> 1 where s_m becomes small beside the others, since
-s = (sum of s_k^-2)^(-1/2) is the inverse of the Frobenius norm of R^-1.
+s = (sum of s_k^-2)^(-1/2) is the inverse of the Frobenius norm of D^(-1/2) B^-1.
 
 The criteria are H = sqrt(det(J J^T)), 1/H, H^(-1/2) (with gradient 0 where H = 0) and the distance from the joints'
 middles, sum of ((q_j - middle_j) narrowness_j)^2 / (2 n) (Liegeois 1977).
@@ -25,6 +31,9 @@ the target into the tip. That grows up to half a turn, where it has no axis and 
 
 A secondary task of strict priority, J2 rates = v2 as far as the first task allows: its rows follow in the same
 factorisation, so that rates = J1+ v1 + (J2 P1)+ (v2 - J2 rates_1) + P12 g is one forward substitution.
+
+What a law does without (gradients, motion of the joints to spare, damping, s) is written with Where, so that compiled
+code passes over it (skipping.py).
 """
 
 from __future__ import annotations
@@ -36,7 +45,15 @@ import sympy as sp
 
 from chainrule.derive import self_motion
 from chainrule.derive.differentiation import gradient
-from chainrule.derive.manipulability import Matrix, orthonormal_rows, root_sum_of_squares
+from chainrule.derive.manipulability import (
+    Matrix,
+    OrthogonalRows,
+    View,
+    identity,
+    orthogonal_rows,
+    root_sum_of_squares,
+    sparse_first,
+)
 from chainrule.derive.program import Expression, GuardedInverse, Input, Output, Program, Steps, Where, variables
 
 Vector = list[Expression]
@@ -91,7 +108,10 @@ def _law(family: ModuleType, arm: Any, task: str, weights: Program, more: int) -
     mobility, stiffness, middle, narrowness = _rows(joints.symbols, n)
     settings = Input("settings", (len(SETTINGS),), tuple(sp.Symbol(name, real=True) for name in SETTINGS))
     given = dict(zip(SETTINGS, settings.symbols, strict=True))
-    matrix = _rows(found.jacobian.expressions, n)
+    rows = family.minor_matrix(steps, arm, task)
+    view = family.minor_view(steps, arm, task)
+    order = sparse_first(rows)
+    matrix = [rows[r] for r in order]
     secondary: tuple[Input, ...] = ()
     wanted_second: Vector = []
     if more:
@@ -107,21 +127,25 @@ def _law(family: ModuleType, arm: Any, task: str, weights: Program, more: int) -
         for i, (v, k, e) in enumerate(zip(velocity.symbols, gains, error, strict=True))
     ]
     scaled = [[steps.let("scaled", e * a) for e, a in zip(row, mobility, strict=True)] for row in matrix]
-    basis, triangle = orthonormal_rows(steps, scaled, passes=2)
-    lower = [[steps.let("lower", entry) for entry in row] for row in triangle]
+    rows_found = orthogonal_rows(steps, scaled)
     h, slope = _manipulability(steps, weights, q.symbols)
-    first = [row[:m] for row in lower[:m]]
     least = max_zero(steps, "short", 1 - h * given["inverse_threshold_H"])
     nakamura = steps.let("nakamura", given["damping_nakamura"] * least)
-    along = _solved(steps, first, wanted, given, nakamura)
+    shares = _solved(steps, _part(rows_found, 0, m), order, view, wanted, given, nakamura)
     if more:
         rest = [
-            steps.let("rest_second", v - _dot(row[:m], along)) for v, row in zip(wanted_second, lower[m:], strict=True)
+            steps.let("rest_second", v - _dot(row[:m], shares))
+            for v, row in zip(wanted_second, rows_found.lower[m:], strict=True)
         ]
-        along = along + _solved(steps, [row[m:] for row in lower[m:]], rest, given, sp.Integer(0))
+        unmoved = View(identity(more), identity(more))
+        second = _part(rows_found, m, m + more)
+        shares = shares + _solved(steps, second, list(range(more)), unmoved, rest, given, sp.Integer(0))
 
     null = [sp.Integer(0)] * n
-    if n > len(basis) or more:
+    if n > m:
+        to_raise = [given[name] for name in ("gain_H", "gain_inverse_H", "gain_inverse_root_H")]
+        raised = _number_of_others_than_zero(steps, "raised", to_raise)
+        slope = [steps.let("slope", Where(raised, d)) for d in slope]
         inverse = steps.let("inverse_h", GuardedInverse(h))
         steep = steps.let("steep_inverse", given["gain_inverse_H"] * inverse)
         steeper = steps.let("steep_root", given["gain_inverse_root_H"] * inverse)
@@ -132,12 +156,11 @@ def _law(family: ModuleType, arm: Any, task: str, weights: Program, more: int) -
             for d, q_j, centre, narrow, own in zip(slope, q.symbols, middle, narrowness, push.symbols, strict=True)
         ]
         stretched = [steps.let("uphill", g * stiff) for g, stiff in zip(moved, stiffness, strict=True)]
-        null = _left(steps, basis, stretched)
+        uphill = _number_of_others_than_zero(steps, "pushed", stretched)
+        null = [steps.let("left", Where(uphill, entry)) for entry in _projected(steps, rows_found, stretched)]
         null = [steps.let("null", a * entry) for a, entry in zip(mobility, null, strict=True)]
-    rates = [
-        steps.let("rate", a * sum((y * unit[j] for y, unit in zip(along, basis, strict=True)), sp.Integer(0)) + null[j])
-        for j, a in enumerate(mobility)
-    ]
+    done = _least_norm(steps, rows_found, shares)
+    rates = [steps.let("rate", a * x + y) for a, x, y in zip(mobility, done, null, strict=True)]
     ahead = [q_j + given["dt"] * rate for q_j, rate in zip(q.symbols, rates, strict=True)]
     kind = "step" if not more else "priority"
     what = f"step along the {task}" if not more else f"step along the {task}, with a secondary task of strict priority"
@@ -199,69 +222,125 @@ def _manipulability(steps: Steps, weights: Program, q: tuple[Expression, ...]) -
     return h, gradient(steps, parts, seeds, q)
 
 
-def _left(steps: Steps, basis: Matrix, vector: Vector) -> Vector:
-    """(I - Q^T Q) vector."""
-    shares = [steps.let("share", _dot(unit, vector)) for unit in basis]
-    return [
-        steps.let(
-            "left", entry - sum((share * unit[j] for share, unit in zip(shares, basis, strict=True)), sp.Integer(0))
-        )
-        for j, entry in enumerate(vector)
-    ]
+def _number_of_others_than_zero(steps: Steps, name: str, entries: Vector) -> Expression:
+    """How many entries are not 0 (nan is not 0)."""
+    return steps.let(name, sum((Where(entry, sp.Integer(1)) for entry in entries), sp.Integer(0)))
 
 
-def _solved(steps: Steps, lower: Matrix, wanted: Vector, given: dict[str, Expression], nakamura: Expression) -> Vector:
-    """y with R y = wanted or, where mu is not 0, y = R^T (R R^T + mu^2 I)^-1 wanted, for a lower triangular R."""
-    inverses = [steps.let("inverse_pivot", GuardedInverse(row[k])) for k, row in enumerate(lower)]
+def _part(found: OrthogonalRows, start: int, end: int) -> OrthogonalRows:
+    """Some of the rows, with what they share among themselves."""
+    lower = [row[start:] for row in found.lower[start:end]]
+    return OrthogonalRows(found.rows[start:end], lower, found.squares[start:end], found.inverses[start:end])
+
+
+def _projected(steps: Steps, across: OrthogonalRows, vector: Vector) -> Vector:
+    """What is left of the vector across the rows: by all of them and back."""
+    left = list(vector)
+    pairs = list(zip(across.rows, across.inverses, strict=True))
+    for row, inverse in [*pairs, *reversed(pairs[:-1])]:
+        share = steps.let("along", _dot(row, left) * inverse)
+        left = [steps.let("rest", entry - share * u) for entry, u in zip(left, row, strict=True)]
+    return left
+
+
+def _least_norm(steps: Steps, across: OrthogonalRows, wanted: Vector) -> Vector:
+    """The shortest vector x with Q x = wanted, from the last row to the first."""
+    found: Vector = [sp.Integer(0)] * len(across.rows[0])
+    for row, inverse, value in reversed(list(zip(across.rows, across.inverses, wanted, strict=True))):
+        missing = steps.let("missing", (value - _dot(row, found)) * inverse)
+        found = [steps.let("found", entry + missing * u) for entry, u in zip(found, row, strict=True)]
+    return found
+
+
+def _times(steps: Steps, name: str, matrix: Matrix, vector: Vector) -> Vector:
+    return [steps.let(name, _dot(row, vector)) for row in matrix]
+
+
+def _solved(
+    steps: Steps,
+    across: OrthogonalRows,
+    order: list[int],
+    view: View,
+    wanted: Vector,
+    given: dict[str, Expression],
+    nakamura: Expression,
+) -> Vector:
+    """z with L z = A wanted or, where mu is not 0, z = D B^T (B D B^T + mu^2 I)^-1 wanted: what Q x is to be.
+
+    Row i of L belongs to row order[i] of A.
+    """
+    turned = _times(steps, "turned", view.turn, wanted)
+    seen = _times(steps, "seen", view.move, turned)
     plain: Vector = []
-    for row, v, inverse in zip(lower, wanted, inverses, strict=True):
-        plain.append(steps.let("plain", (v - _dot(row[: len(plain)], plain)) * inverse))
-    ratio = steps.let("ratio", _least_singular(steps, lower, inverses) * given["inverse_threshold_s"])
-    near = max_zero(steps, "near", 1 - ratio * ratio)
+    for row, place in zip(across.lower, order, strict=True):
+        plain.append(steps.let("plain", seen[place] - _dot(row, plain)))
     constant, chiaverini = given["damping_constant"], given["damping_chiaverini"]
+    least = steps.let("least", Where(chiaverini, _least_singular(steps, across, order, view)))
+    ratio = steps.let("ratio", least * given["inverse_threshold_s"])
+    near = max_zero(steps, "near", 1 - ratio * ratio)
     damping = steps.let("damping", constant**2 + nakamura**2 + chiaverini**2 * near)
-    damped = _damped(steps, lower, wanted, damping)
+    damped = _damped(steps, _unmoved(steps, across.lower, order, view), across.squares, turned, damping)
     chosen = steps.let("is_damped", Where(damping, sp.Integer(1)))
     other = steps.let("is_plain", 1 - chosen)
     return [
-        steps.let("solved", Where(chosen, steps.let("damped", a)) + Where(other, b))
+        steps.let("solved", Where(damping, steps.let("damped", a)) + Where(other, b))
         for a, b in zip(damped, plain, strict=True)
     ]
 
 
-def _least_singular(steps: Steps, lower: Matrix, inverses: Vector) -> Expression:
-    """The estimate s of the least singular value, from the entries of R^-1; no pivot is less than that value."""
-    inverse: Matrix = []
-    for i, row in enumerate(lower):
+def _unmoved(steps: Steps, lower: Matrix, order: list[int], view: View) -> Matrix:
+    """B = move^-1 L, by rows of the task as they are turned: 2 I - move is the inverse of move."""
+    m = len(lower)
+    whole = [[*lower[k], sp.Integer(1), *[sp.Integer(0)] * m][:m] for k in (order.index(r) for r in range(m))]
+    back = [[2 * sp.Integer(r == s) - view.move[r][s] for s in range(m)] for r in range(m)]
+    return [[steps.let("tall", _dot(row, [other[k] for other in whole])) for k in range(m)] for row in back]
+
+
+def _least_singular(steps: Steps, across: OrthogonalRows, order: list[int], view: View) -> Expression:
+    """The estimate s of the least singular value, from the entries of D^(-1/2) L^-1 move; 0 where a row vanishes."""
+    m = len(order)
+    inverse: Matrix = []  # L^-1
+    for i, row in enumerate(across.lower):
         sums = (sum((row[k] * inverse[k][j] for k in range(j, i)), sp.Integer(0)) for j in range(i))
-        inverse.append([*(steps.let("entry", -inverses[i] * total) for total in sums), inverses[i]])
-    norm = steps.let("norm", root_sum_of_squares(steps, [entry for row in inverse for entry in row]))
+        inverse.append([*(steps.let("entry", -total) for total in sums), sp.Integer(1)])
+    squares = []
+    for row, weight in zip(inverse, across.inverses, strict=True):
+        moved = [
+            steps.let("entry_moved", sum((a * view.move[order[j]][c] for j, a in enumerate(row)), sp.Integer(0)))
+            for c in range(m)
+        ]
+        squares.append(steps.let("square_of_row", _dot(moved, moved)) * weight)
+    norm = steps.let("norm", sp.sqrt(steps.let("sum_of_rows", sum(squares, sp.Integer(0)))))
     far = steps.let("far", GuardedInverse(norm))
-    return steps.let("smallest", sp.Min(*(row[k] for k, row in enumerate(lower)), far))
+    shortest = steps.let("shortest", sp.Min(*across.squares))
+    return steps.let("smallest", Where(shortest, far))
 
 
-def _damped(steps: Steps, lower: Matrix, wanted: Vector, damping: Expression) -> Vector:
-    """R^T (R R^T + mu^2 I)^-1 wanted, by the factors L D L^T, whose pivots D are at least mu^2.
+def _damped(steps: Steps, tall: Matrix, squares: Vector, wanted: Vector, damping: Expression) -> Vector:
+    """D B^T (B D B^T + mu^2 I)^-1 wanted, by factors triangular, diagonal, triangular; the pivots are at least mu^2.
 
     Its relative error is some units of rounding times (s_1^2 + mu^2) / (s_m^2 + mu^2), with s_1 and s_m the extreme
-    singular values of R.
+    singular values of J diag(mobility).
     """
-    m = len(lower)
-    factors: Matrix = []  # rows of L
-    inverses: Vector = []  # of D
+    m = len(tall)
+    weighted = [
+        [steps.let("weighted", entry * square) for entry, square in zip(row, squares, strict=True)] for row in tall
+    ]
+    factors: Matrix = []  # rows of the triangular one
+    inverses: Vector = []  # of the diagonal one
     u: Vector = []
     for i in range(m):
-        products: Vector = []  # L_ij D_j
+        products: Vector = []  # entries of a row times the pivots
         entries: Vector = []
         for j in range(i):
-            square = _dot(lower[i][: j + 1], lower[j][: j + 1])
+            square = _dot(weighted[i], tall[j])
             products.append(steps.let("product", square - _dot(products, factors[j])))
             entries.append(steps.let("factor_entry", products[j] * inverses[j]))
-        whole = steps.let("pivot_damped", _dot(lower[i], lower[i]) - _dot(products, entries) + damping)
+        whole = steps.let("pivot_damped", _dot(weighted[i], tall[i]) - _dot(products, entries) + damping)
         inverses.append(steps.let("inverse_damped", GuardedInverse(steps.let("pivot_kept", sp.Max(whole, damping)))))
         factors.append(entries)
         u.append(steps.let("down", wanted[i] - _dot(entries, u)))
     u = [steps.let("across", a * b) for a, b in zip(u, inverses, strict=True)]
     for i in range(m - 1, -1, -1):
         u[i] = steps.let("up", u[i] - _dot([factors[k][i] for k in range(i + 1, m)], u[i + 1 :]))
-    return [_dot([lower[k][i] for k in range(i, m)], u[i:]) for i in range(m)]
+    return [_dot([row[i] for row in weighted], u) for i in range(m)]

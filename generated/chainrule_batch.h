@@ -33,6 +33,23 @@ CR_INLINE void chainrule_gather(real *restrict tile, int width, int count, const
     }
 }
 
+/* Whether any of a tile's numbers is not 0: decides whether terms that matter only there are computed. */
+CR_INLINE int chainrule_any(const real *restrict tile, int width)
+{
+    int found = 0;
+    for (int i = 0; i < width; ++i) {
+        found |= tile[i] != CR_C(0.0);
+    }
+    return found;
+}
+
+CR_INLINE void chainrule_clear(real *restrict tile, int width)
+{
+    for (int i = 0; i < width; ++i) {
+        tile[i] = CR_C(0.0);
+    }
+}
+
 /* One configuration's entries, from the tile's lane i. Four loads before four stores: faster, as they cannot overlap. */
 CR_INLINE void chainrule_row(const real *restrict tile, int width, int i, real *restrict entry, int size)
 {

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs 0ca9e3d3c7ecdb68ad7fe68828cb1e8c2c7e7c1aced2512b6c9d387632b52cc9.
+ * Made from templates/kernel.h.j2; inputs 33f66e552d31fb048888a5b15088f482fafb001d85f35666acc3dcd03b9d7330.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

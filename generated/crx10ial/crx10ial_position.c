@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs d482609e1dd38c8df31ed921f39b8ccc93a1839dec114d5a72c43ae19d30c099.
+ * Made from templates/kernel.c.j2; inputs 33f66e552d31fb048888a5b15088f482fafb001d85f35666acc3dcd03b9d7330.
  * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "d482609e1dd38c8df31ed921f39b8ccc93a1839dec114d5a72c43ae19d30c099";
+const char crx10ial_position_digest[] = "33f66e552d31fb048888a5b15088f482fafb001d85f35666acc3dcd03b9d7330";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs d482609e1dd38c8df31ed921f39b8ccc93a1839dec114d5a72c43ae19d30c099.
+ * Made from templates/kernel.h.j2; inputs 33f66e552d31fb048888a5b15088f482fafb001d85f35666acc3dcd03b9d7330.
  * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

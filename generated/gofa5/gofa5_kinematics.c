@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs 659f737b2f7754aa76b87d1b94dd3fd42d7edcbaab31d2755cb87567fe1de80f.
+ * Made from templates/kernel.c.j2; inputs b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "659f737b2f7754aa76b87d1b94dd3fd42d7edcbaab31d2755cb87567fe1de80f";
+const char gofa5_kinematics_digest[] = "b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 659f737b2f7754aa76b87d1b94dd3fd42d7edcbaab31d2755cb87567fe1de80f.
+Made from templates/kernel.py.j2; inputs b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

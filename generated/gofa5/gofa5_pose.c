@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 0408f47b0493118dc67abaf5af29f59ba79608164b068df172156bf9ea7f4bfb.
+ * Made from templates/kernel.c.j2; inputs b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "0408f47b0493118dc67abaf5af29f59ba79608164b068df172156bf9ea7f4bfb";
+const char gofa5_pose_digest[] = "b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765";
 #endif
 
 #define LANES 64

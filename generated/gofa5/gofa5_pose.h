@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 0408f47b0493118dc67abaf5af29f59ba79608164b068df172156bf9ea7f4bfb.
+ * Made from templates/kernel.h.j2; inputs b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

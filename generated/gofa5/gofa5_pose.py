@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0408f47b0493118dc67abaf5af29f59ba79608164b068df172156bf9ea7f4bfb.
+Made from templates/kernel.py.j2; inputs b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

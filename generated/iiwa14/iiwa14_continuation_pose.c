@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs e691086f5edea9f9109e3c235a0b64ae4198ef54a109c598c12c83ae16fa8a24.
+ * Made from templates/kernel.c.j2; inputs ceb3d9f8faaf3efa3ea3d26c931fe9bf97398e1dc732b3e0785ed75a561f2e36.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "e691086f5edea9f9109e3c235a0b64ae4198ef54a109c598c12c83ae16fa8a24";
+const char iiwa14_continuation_pose_digest[] = "ceb3d9f8faaf3efa3ea3d26c931fe9bf97398e1dc732b3e0785ed75a561f2e36";
 #endif
 
 #define LANES 32

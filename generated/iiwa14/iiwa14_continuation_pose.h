@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs e691086f5edea9f9109e3c235a0b64ae4198ef54a109c598c12c83ae16fa8a24.
+ * Made from templates/kernel.h.j2; inputs ceb3d9f8faaf3efa3ea3d26c931fe9bf97398e1dc732b3e0785ed75a561f2e36.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

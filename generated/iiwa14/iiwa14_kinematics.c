@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 81246f4d0d4590f1ff184f186f9f68c98d6b2a96ee106d6e3e434d23a42398f3.
+ * Made from templates/kernel.c.j2; inputs 59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "81246f4d0d4590f1ff184f186f9f68c98d6b2a96ee106d6e3e434d23a42398f3";
+const char iiwa14_kinematics_digest[] = "59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 81246f4d0d4590f1ff184f186f9f68c98d6b2a96ee106d6e3e434d23a42398f3.
+ * Made from templates/kernel.h.j2; inputs 59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs c42e2b7724f929aa9ca5ec5cf46cf6ab29d756b29f7e2c2770c6f647cfd760f3.
+ * Made from templates/kernel.c.j2; inputs 59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995.
  * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "c42e2b7724f929aa9ca5ec5cf46cf6ab29d756b29f7e2c2770c6f647cfd760f3";
+const char iiwa14_pose_digest[] = "59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (pose) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c42e2b7724f929aa9ca5ec5cf46cf6ab29d756b29f7e2c2770c6f647cfd760f3.
+Made from templates/kernel.py.j2; inputs 59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995.
 1726 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

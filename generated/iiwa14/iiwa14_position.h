@@ -1,5 +1,5 @@
 /* iiwa14_position.h: manipulability (position) of iiwa14.
- * Made from templates/kernel.h.j2; inputs c42e2b7724f929aa9ca5ec5cf46cf6ab29d756b29f7e2c2770c6f647cfd760f3.
+ * Made from templates/kernel.h.j2; inputs 59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995.
  * 1362 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

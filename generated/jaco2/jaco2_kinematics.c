@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 2082e1b41ff091bbbd78cb484540758bb61072ca247c80edba0a5d3f31a2e5ff.
+ * Made from templates/kernel.c.j2; inputs c6b0c1dbf27bcb74a69463a6b38c52a41a9963fc778ee6271594ea4b847a5bb8.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "2082e1b41ff091bbbd78cb484540758bb61072ca247c80edba0a5d3f31a2e5ff";
+const char jaco2_kinematics_digest[] = "c6b0c1dbf27bcb74a69463a6b38c52a41a9963fc778ee6271594ea4b847a5bb8";
 #endif
 
 #define LANES 64

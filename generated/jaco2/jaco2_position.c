@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 1a7bbc4ac4b61c1646fc1cedc3c4b6933af63fce27308a34c06cf43f60ee9525.
+ * Made from templates/kernel.c.j2; inputs c6b0c1dbf27bcb74a69463a6b38c52a41a9963fc778ee6271594ea4b847a5bb8.
  * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "1a7bbc4ac4b61c1646fc1cedc3c4b6933af63fce27308a34c06cf43f60ee9525";
+const char jaco2_position_digest[] = "c6b0c1dbf27bcb74a69463a6b38c52a41a9963fc778ee6271594ea4b847a5bb8";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1a7bbc4ac4b61c1646fc1cedc3c4b6933af63fce27308a34c06cf43f60ee9525.
+Made from templates/kernel.py.j2; inputs c6b0c1dbf27bcb74a69463a6b38c52a41a9963fc778ee6271594ea4b847a5bb8.
 1134 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

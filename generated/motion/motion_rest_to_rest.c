@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs 8fbc719f1301790d41f64479704a42f27088b39f68c3e7117246f0e98408aeaa.
+ * Made from templates/kernel.c.j2; inputs 6b8c1ffdaaa59cda38abe350abd10f8d06924e671ffe865462c722a9e451231e.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "8fbc719f1301790d41f64479704a42f27088b39f68c3e7117246f0e98408aeaa";
+const char motion_rest_to_rest_digest[] = "6b8c1ffdaaa59cda38abe350abd10f8d06924e671ffe865462c722a9e451231e";
 #endif
 
 #define LANES 64

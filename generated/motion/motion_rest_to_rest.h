@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 8fbc719f1301790d41f64479704a42f27088b39f68c3e7117246f0e98408aeaa.
+ * Made from templates/kernel.h.j2; inputs 6b8c1ffdaaa59cda38abe350abd10f8d06924e671ffe865462c722a9e451231e.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8fbc719f1301790d41f64479704a42f27088b39f68c3e7117246f0e98408aeaa.
+Made from templates/kernel.py.j2; inputs 6b8c1ffdaaa59cda38abe350abd10f8d06924e671ffe865462c722a9e451231e.
 56 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 3fa094b31f0bec6472e315c5bd9f7aa92282860fe425c821941c91b15c02d66c.
+ * Made from templates/kernel.c.j2; inputs dc55d59797f11d0cede9fbf16b9a128374f8dfd40f1c93eec23f5c5f97abb8a7.
  * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "3fa094b31f0bec6472e315c5bd9f7aa92282860fe425c821941c91b15c02d66c";
+const char orthogonal_3r_cuspidality_digest[] = "dc55d59797f11d0cede9fbf16b9a128374f8dfd40f1c93eec23f5c5f97abb8a7";
 #endif
 
 #define LANES 64

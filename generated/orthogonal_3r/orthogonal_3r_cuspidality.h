@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 3fa094b31f0bec6472e315c5bd9f7aa92282860fe425c821941c91b15c02d66c.
+ * Made from templates/kernel.h.j2; inputs dc55d59797f11d0cede9fbf16b9a128374f8dfd40f1c93eec23f5c5f97abb8a7.
  * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs e17681c9784e4e98cf83f08ab16f5279bf6c0823d16a219190d86306f0f4e88c.
+ * Made from templates/kernel.c.j2; inputs d00563a95cd1199fb36ac1be8f46cb4ad185fdcb4cf81c636d276fa6ca6eaf70.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "e17681c9784e4e98cf83f08ab16f5279bf6c0823d16a219190d86306f0f4e88c";
+const char orthogonal_3r_kinematics_digest[] = "d00563a95cd1199fb36ac1be8f46cb4ad185fdcb4cf81c636d276fa6ca6eaf70";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.h: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs e17681c9784e4e98cf83f08ab16f5279bf6c0823d16a219190d86306f0f4e88c.
+ * Made from templates/kernel.h.j2; inputs d00563a95cd1199fb36ac1be8f46cb4ad185fdcb4cf81c636d276fa6ca6eaf70.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

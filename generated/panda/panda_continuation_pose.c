@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs fc1f183a9cf06e28c1ccffc7b40381f90c73e18aca85f5f65e163b6a37ef041d.
+ * Made from templates/kernel.c.j2; inputs 9cfbd17d7fd505d94be6f8d2fb09fb8752011d680d0ca2d73b2329fc989122ad.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "fc1f183a9cf06e28c1ccffc7b40381f90c73e18aca85f5f65e163b6a37ef041d";
+const char panda_continuation_pose_digest[] = "9cfbd17d7fd505d94be6f8d2fb09fb8752011d680d0ca2d73b2329fc989122ad";
 #endif
 
 #define LANES 32

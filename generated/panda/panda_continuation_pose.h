@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs fc1f183a9cf06e28c1ccffc7b40381f90c73e18aca85f5f65e163b6a37ef041d.
+ * Made from templates/kernel.h.j2; inputs 9cfbd17d7fd505d94be6f8d2fb09fb8752011d680d0ca2d73b2329fc989122ad.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

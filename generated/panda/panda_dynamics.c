@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs 61b916433ea9a137992c4d8df8506d6a03add2f8291482561227bee109714342.
+ * Made from templates/kernel.c.j2; inputs 68696147dac3920d89799e4fbefbfeff4f854c16d83d5fa89b6474f44d8a1028.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "61b916433ea9a137992c4d8df8506d6a03add2f8291482561227bee109714342";
+const char panda_dynamics_digest[] = "68696147dac3920d89799e4fbefbfeff4f854c16d83d5fa89b6474f44d8a1028";
 #endif
 
 #define LANES 32

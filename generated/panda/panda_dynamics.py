@@ -1,6 +1,6 @@
 """dynamics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 61b916433ea9a137992c4d8df8506d6a03add2f8291482561227bee109714342.
+Made from templates/kernel.py.j2; inputs 68696147dac3920d89799e4fbefbfeff4f854c16d83d5fa89b6474f44d8a1028.
 845 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 21591805b949de8b38c9ef703e2ff8ff48d0f1747857461ec37331dc153b9d39.
+ * Made from templates/kernel.c.j2; inputs 5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "21591805b949de8b38c9ef703e2ff8ff48d0f1747857461ec37331dc153b9d39";
+const char panda_kinematics_digest[] = "5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 21591805b949de8b38c9ef703e2ff8ff48d0f1747857461ec37331dc153b9d39.
+ * Made from templates/kernel.h.j2; inputs 5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 21591805b949de8b38c9ef703e2ff8ff48d0f1747857461ec37331dc153b9d39.
+Made from templates/kernel.py.j2; inputs 5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

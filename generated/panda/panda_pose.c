@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs 58c5ebdf1761774d50da2314f7fe244ae314b7c152bfac6240c393bce4d613cf.
+ * Made from templates/kernel.c.j2; inputs 5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50.
  * 1906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "58c5ebdf1761774d50da2314f7fe244ae314b7c152bfac6240c393bce4d613cf";
+const char panda_pose_digest[] = "5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs 58c5ebdf1761774d50da2314f7fe244ae314b7c152bfac6240c393bce4d613cf.
+ * Made from templates/kernel.h.j2; inputs 5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50.
  * 1906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 58c5ebdf1761774d50da2314f7fe244ae314b7c152bfac6240c393bce4d613cf.
+Made from templates/kernel.py.j2; inputs 5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50.
 1906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs 17646daf35da87c67904c45c0d00563d312167008db1335b530621f40268e1df.
- * 2639 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs d9bddc92f429468725e6fa8fa660b11b02bbfde806c255ed9494fb33e173fe3a.
+ * 2295 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_redundancy_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "17646daf35da87c67904c45c0d00563d312167008db1335b530621f40268e1df";
+const char panda_redundancy_pose_digest[] = "d9bddc92f429468725e6fa8fa660b11b02bbfde806c255ed9494fb33e173fe3a";
 #endif
 
 #define LANES 16

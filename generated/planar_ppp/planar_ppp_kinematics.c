@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.c: kinematics of planar_ppp.
- * Made from templates/kernel.c.j2; inputs adbc9f022c61ed81538426c549975c3a73d3a59954eb4c743693bfb4c0e1b2a8.
+ * Made from templates/kernel.c.j2; inputs 6ded5fdea3bdff122b61ebd6ea6ab9ec5a2918c8491b267bef302091e1e5c3ab.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_kinematics_digest[] = "adbc9f022c61ed81538426c549975c3a73d3a59954eb4c743693bfb4c0e1b2a8";
+const char planar_ppp_kinematics_digest[] = "6ded5fdea3bdff122b61ebd6ea6ab9ec5a2918c8491b267bef302091e1e5c3ab";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs adbc9f022c61ed81538426c549975c3a73d3a59954eb4c743693bfb4c0e1b2a8.
+ * Made from templates/kernel.h.j2; inputs 6ded5fdea3bdff122b61ebd6ea6ab9ec5a2918c8491b267bef302091e1e5c3ab.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

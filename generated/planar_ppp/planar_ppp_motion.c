@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 6fcb0a7067dcf6e9971bc6770e907b920f9ea0ba6cc9f2c542b15169387f4a8d.
+ * Made from templates/kernel.c.j2; inputs fc3b1286cb99fce5e62c822d2be26797de141a97c8b911382ae2d0e71eeee35a.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "6fcb0a7067dcf6e9971bc6770e907b920f9ea0ba6cc9f2c542b15169387f4a8d";
+const char planar_ppp_motion_digest[] = "fc3b1286cb99fce5e62c822d2be26797de141a97c8b911382ae2d0e71eeee35a";
 #endif
 
 #define LANES 64

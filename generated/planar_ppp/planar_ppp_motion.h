@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 6fcb0a7067dcf6e9971bc6770e907b920f9ea0ba6cc9f2c542b15169387f4a8d.
+ * Made from templates/kernel.h.j2; inputs fc3b1286cb99fce5e62c822d2be26797de141a97c8b911382ae2d0e71eeee35a.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

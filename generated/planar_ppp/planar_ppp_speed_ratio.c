@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs 277e3478ef80b3484ef308da712099c2b628caa7e82300d542eab7bd049f5ca2.
+ * Made from templates/kernel.c.j2; inputs 5af02ba627a199f8537b2b9a7612168f83e16e8f30e6eb443894c8d01cec5c7d.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "277e3478ef80b3484ef308da712099c2b628caa7e82300d542eab7bd049f5ca2";
+const char planar_ppp_speed_ratio_digest[] = "5af02ba627a199f8537b2b9a7612168f83e16e8f30e6eb443894c8d01cec5c7d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 277e3478ef80b3484ef308da712099c2b628caa7e82300d542eab7bd049f5ca2.
+ * Made from templates/kernel.h.j2; inputs 5af02ba627a199f8537b2b9a7612168f83e16e8f30e6eb443894c8d01cec5c7d.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

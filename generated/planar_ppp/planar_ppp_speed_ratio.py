@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 277e3478ef80b3484ef308da712099c2b628caa7e82300d542eab7bd049f5ca2.
+Made from templates/kernel.py.j2; inputs 5af02ba627a199f8537b2b9a7612168f83e16e8f30e6eb443894c8d01cec5c7d.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs e51e448960a8ddd31b673bca1fc13c416d5a1b352f2883efb921b22842645374.
+ * Made from templates/kernel.c.j2; inputs 22ced1d2e81f4d651b496871ff4f5143f9a9cbb417cbba9649a210558891dc19.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "e51e448960a8ddd31b673bca1fc13c416d5a1b352f2883efb921b22842645374";
+const char planar_ppr_kinematics_digest[] = "22ced1d2e81f4d651b496871ff4f5143f9a9cbb417cbba9649a210558891dc19";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e51e448960a8ddd31b673bca1fc13c416d5a1b352f2883efb921b22842645374.
+Made from templates/kernel.py.j2; inputs 22ced1d2e81f4d651b496871ff4f5143f9a9cbb417cbba9649a210558891dc19.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

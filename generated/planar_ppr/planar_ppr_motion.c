@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs bc703fa4bd7ca47fd2a8814445fc7a77aa2a46379d7f5df400eaedce7a8b2d70.
+ * Made from templates/kernel.c.j2; inputs d749da1b703a6993fd995e6b01423203b5894836ff0d3950bfee931e52bd0982.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "bc703fa4bd7ca47fd2a8814445fc7a77aa2a46379d7f5df400eaedce7a8b2d70";
+const char planar_ppr_motion_digest[] = "d749da1b703a6993fd995e6b01423203b5894836ff0d3950bfee931e52bd0982";
 #endif
 
 #define LANES 64

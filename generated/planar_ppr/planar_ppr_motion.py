@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bc703fa4bd7ca47fd2a8814445fc7a77aa2a46379d7f5df400eaedce7a8b2d70.
+Made from templates/kernel.py.j2; inputs d749da1b703a6993fd995e6b01423203b5894836ff0d3950bfee931e52bd0982.
 161 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

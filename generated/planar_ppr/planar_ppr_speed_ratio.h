@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.h: speed ratio of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 6f076e97c4c5045afb8fd57205fb9439b7294258ac708124f2dd4202944fc1cb.
+ * Made from templates/kernel.h.j2; inputs 9c3fa2096e47a0efea2b5e6e3040728941e93e433efea128b4e32cb4c60a4092.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

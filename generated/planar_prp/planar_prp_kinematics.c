@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs a07ef99dc33c387f71a89959f78364c6ece2ef80a35ae3b3a57fbb19d5151128.
+ * Made from templates/kernel.c.j2; inputs 4095abf478422b7968032950618e4c92481bba8f2819e3c5f42bab3e922422da.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "a07ef99dc33c387f71a89959f78364c6ece2ef80a35ae3b3a57fbb19d5151128";
+const char planar_prp_kinematics_digest[] = "4095abf478422b7968032950618e4c92481bba8f2819e3c5f42bab3e922422da";
 #endif
 
 #define LANES 64

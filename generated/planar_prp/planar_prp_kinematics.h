@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs a07ef99dc33c387f71a89959f78364c6ece2ef80a35ae3b3a57fbb19d5151128.
+ * Made from templates/kernel.h.j2; inputs 4095abf478422b7968032950618e4c92481bba8f2819e3c5f42bab3e922422da.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

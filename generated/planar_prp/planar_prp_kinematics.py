@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a07ef99dc33c387f71a89959f78364c6ece2ef80a35ae3b3a57fbb19d5151128.
+Made from templates/kernel.py.j2; inputs 4095abf478422b7968032950618e4c92481bba8f2819e3c5f42bab3e922422da.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs 3529a6ce900fde39c1c5a42a37cf1aa7937dd572aa67dfc2caba3206b1849098.
+ * Made from templates/kernel.c.j2; inputs 7ea0eda28772e9cb8c485a3dd212e2a7f6a31eda199213a4db95592bf45730fe.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "3529a6ce900fde39c1c5a42a37cf1aa7937dd572aa67dfc2caba3206b1849098";
+const char planar_prp_motion_digest[] = "7ea0eda28772e9cb8c485a3dd212e2a7f6a31eda199213a4db95592bf45730fe";
 #endif
 
 #define LANES 64

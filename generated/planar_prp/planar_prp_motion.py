@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3529a6ce900fde39c1c5a42a37cf1aa7937dd572aa67dfc2caba3206b1849098.
+Made from templates/kernel.py.j2; inputs 7ea0eda28772e9cb8c485a3dd212e2a7f6a31eda199213a4db95592bf45730fe.
 232 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.c: speed ratio of planar_prp.
- * Made from templates/kernel.c.j2; inputs e081515921fda1dc6a077319b7450a566f00b87d80cbab7cc479805289153acf.
+ * Made from templates/kernel.c.j2; inputs fa5afdc0b920fe40c37df1892f718b1b5b3d4b9d11133daa612f19557edf1977.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_speed_ratio_digest[] = "e081515921fda1dc6a077319b7450a566f00b87d80cbab7cc479805289153acf";
+const char planar_prp_speed_ratio_digest[] = "fa5afdc0b920fe40c37df1892f718b1b5b3d4b9d11133daa612f19557edf1977";
 #endif
 
 #define LANES 64

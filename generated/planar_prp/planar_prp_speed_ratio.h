@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs e081515921fda1dc6a077319b7450a566f00b87d80cbab7cc479805289153acf.
+ * Made from templates/kernel.h.j2; inputs fa5afdc0b920fe40c37df1892f718b1b5b3d4b9d11133daa612f19557edf1977.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs e51c1f386ec809d446d2b240df645c40664f2e1074c2e4ed1e856f6cd9024714.
+ * Made from templates/kernel.c.j2; inputs 40e2bac2ab3392dd2a425571aeae3aaad78a3a213cb3de588097082aa2e464d6.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "e51c1f386ec809d446d2b240df645c40664f2e1074c2e4ed1e856f6cd9024714";
+const char planar_prr_kinematics_digest[] = "40e2bac2ab3392dd2a425571aeae3aaad78a3a213cb3de588097082aa2e464d6";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e51c1f386ec809d446d2b240df645c40664f2e1074c2e4ed1e856f6cd9024714.
+Made from templates/kernel.py.j2; inputs 40e2bac2ab3392dd2a425571aeae3aaad78a3a213cb3de588097082aa2e464d6.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

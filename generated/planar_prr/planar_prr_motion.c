@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs 9a29ed3ad456714d9107c263f5ff8feced91c2f5e9c5b3861fc0804a3311f4a1.
+ * Made from templates/kernel.c.j2; inputs 4e5a41a7c890eccf64cc8092fa11670412a82e8609982a93cbeca73d4413119d.
  * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "9a29ed3ad456714d9107c263f5ff8feced91c2f5e9c5b3861fc0804a3311f4a1";
+const char planar_prr_motion_digest[] = "4e5a41a7c890eccf64cc8092fa11670412a82e8609982a93cbeca73d4413119d";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9a29ed3ad456714d9107c263f5ff8feced91c2f5e9c5b3861fc0804a3311f4a1.
+Made from templates/kernel.py.j2; inputs 4e5a41a7c890eccf64cc8092fa11670412a82e8609982a93cbeca73d4413119d.
 203 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs fcfa29e2bdcb6237cf1ccb43844bf2feea53584d372f24b8c5441392c8bd819e.
+ * Made from templates/kernel.c.j2; inputs 72be3cd7e4d4a5c9dfebfa61be5faed39c62b768a58427d4d03510fca01e900d.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "fcfa29e2bdcb6237cf1ccb43844bf2feea53584d372f24b8c5441392c8bd819e";
+const char planar_prr_speed_ratio_digest[] = "72be3cd7e4d4a5c9dfebfa61be5faed39c62b768a58427d4d03510fca01e900d";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fcfa29e2bdcb6237cf1ccb43844bf2feea53584d372f24b8c5441392c8bd819e.
+Made from templates/kernel.py.j2; inputs 72be3cd7e4d4a5c9dfebfa61be5faed39c62b768a58427d4d03510fca01e900d.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs bae6ad6cefbe3f7936ccede1770e248a3c809aa28c2e86b22f88991a810ce365.
+ * Made from templates/kernel.c.j2; inputs d9e0af26032501aa03fc6c8c5097bac4f4d651073d120ab77c093173856a7450.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "bae6ad6cefbe3f7936ccede1770e248a3c809aa28c2e86b22f88991a810ce365";
+const char planar_rpp_kinematics_digest[] = "d9e0af26032501aa03fc6c8c5097bac4f4d651073d120ab77c093173856a7450";
 #endif
 
 #define LANES 64

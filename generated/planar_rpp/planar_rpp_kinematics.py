@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bae6ad6cefbe3f7936ccede1770e248a3c809aa28c2e86b22f88991a810ce365.
+Made from templates/kernel.py.j2; inputs d9e0af26032501aa03fc6c8c5097bac4f4d651073d120ab77c093173856a7450.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

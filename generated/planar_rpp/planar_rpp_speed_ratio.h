@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs c3b1d33474f13e1c03f34658ac6062b51ee07d29bbf004a1dbf9742cc8359fb7.
+ * Made from templates/kernel.h.j2; inputs c7260c64add999bdb520ec246c4168b7d6b281fdca9461276e09c9f1fa545625.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

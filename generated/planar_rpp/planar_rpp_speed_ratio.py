@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c3b1d33474f13e1c03f34658ac6062b51ee07d29bbf004a1dbf9742cc8359fb7.
+Made from templates/kernel.py.j2; inputs c7260c64add999bdb520ec246c4168b7d6b281fdca9461276e09c9f1fa545625.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 4fe7efe4ac8fb4010bb19e8b889cb8880b593ebedf1696d85f47b78958fb9f9e.
+ * Made from templates/kernel.c.j2; inputs 3a445d391297fb9a8359264b4df9b52541828236baa2e1c919024b9ca87771a3.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "4fe7efe4ac8fb4010bb19e8b889cb8880b593ebedf1696d85f47b78958fb9f9e";
+const char planar_rpr_kinematics_digest[] = "3a445d391297fb9a8359264b4df9b52541828236baa2e1c919024b9ca87771a3";
 #endif
 
 #define LANES 64

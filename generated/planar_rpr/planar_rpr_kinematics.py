@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4fe7efe4ac8fb4010bb19e8b889cb8880b593ebedf1696d85f47b78958fb9f9e.
+Made from templates/kernel.py.j2; inputs 3a445d391297fb9a8359264b4df9b52541828236baa2e1c919024b9ca87771a3.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 27e7d9936295d8951005372625fa383f5e4cc275e62271fb0f1b9600abf2004d.
+ * Made from templates/kernel.c.j2; inputs 16e13513ae96a30d256bb28d947444ee4fa481baf78baf23c9b642b21f799324.
  * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "27e7d9936295d8951005372625fa383f5e4cc275e62271fb0f1b9600abf2004d";
+const char planar_rpr_motion_digest[] = "16e13513ae96a30d256bb28d947444ee4fa481baf78baf23c9b642b21f799324";
 #endif
 
 #define LANES 64

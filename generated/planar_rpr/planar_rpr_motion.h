@@ -1,5 +1,5 @@
 /* planar_rpr_motion.h: motion of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 27e7d9936295d8951005372625fa383f5e4cc275e62271fb0f1b9600abf2004d.
+ * Made from templates/kernel.h.j2; inputs 16e13513ae96a30d256bb28d947444ee4fa481baf78baf23c9b642b21f799324.
  * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 2bac3c90fd03b5fc86f28b119e148dfe91677a3af1ccf8cafe3dbd8a49f63f29.
+ * Made from templates/kernel.c.j2; inputs 2916af4ccc7b3b8f9e8e5ddc8e7e47cc5221052807521019c9a145139ae1e794.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "2bac3c90fd03b5fc86f28b119e148dfe91677a3af1ccf8cafe3dbd8a49f63f29";
+const char planar_rpr_speed_ratio_digest[] = "2916af4ccc7b3b8f9e8e5ddc8e7e47cc5221052807521019c9a145139ae1e794";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 1946bc8a57511e31ab50bd6bf66339b926d06c4d2108c9dfe65073b1b930f10d.
+ * Made from templates/kernel.c.j2; inputs d2feeca3cd9dcebf901396f26bddd2270d4cf2f5421bc2c88bbd5a86edd13cdb.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "1946bc8a57511e31ab50bd6bf66339b926d06c4d2108c9dfe65073b1b930f10d";
+const char planar_rrp_kinematics_digest[] = "d2feeca3cd9dcebf901396f26bddd2270d4cf2f5421bc2c88bbd5a86edd13cdb";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1946bc8a57511e31ab50bd6bf66339b926d06c4d2108c9dfe65073b1b930f10d.
+Made from templates/kernel.py.j2; inputs d2feeca3cd9dcebf901396f26bddd2270d4cf2f5421bc2c88bbd5a86edd13cdb.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

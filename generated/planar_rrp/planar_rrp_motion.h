@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs dd2f6082ea4bf7a0e6dfdc1b26f34816a6e1b28ee6c65cf9882315d08478aae2.
+ * Made from templates/kernel.h.j2; inputs 78d0baebd539e3b77b97ee3221d2ec14863274788aa36509443417a6c8701547.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 775be29e4d6c73529d41068e0808fb95f8bfc6b71090cbafedc8e1495fdbc072.
+ * Made from templates/kernel.c.j2; inputs 811ad8bc0cf8d0f2d5c241870ef8c0a33be81cab87cd27092b5dd7a9e2afdbc0.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "775be29e4d6c73529d41068e0808fb95f8bfc6b71090cbafedc8e1495fdbc072";
+const char planar_rrp_speed_ratio_digest[] = "811ad8bc0cf8d0f2d5c241870ef8c0a33be81cab87cd27092b5dd7a9e2afdbc0";
 #endif
 
 #define LANES 64

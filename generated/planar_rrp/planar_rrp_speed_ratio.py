@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 775be29e4d6c73529d41068e0808fb95f8bfc6b71090cbafedc8e1495fdbc072.
+Made from templates/kernel.py.j2; inputs 811ad8bc0cf8d0f2d5c241870ef8c0a33be81cab87cd27092b5dd7a9e2afdbc0.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

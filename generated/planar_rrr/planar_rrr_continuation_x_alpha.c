@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.c: continuation x alpha of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 89053be0f37bf69f232309405aeee0e75cc2817f22aab5d9f91cf7305abba370.
+ * Made from templates/kernel.c.j2; inputs 44d62036ae6123bca874c29f26141ee23573e84998bf556ff6853c748b112fe4.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_x_alpha_digest[] = "89053be0f37bf69f232309405aeee0e75cc2817f22aab5d9f91cf7305abba370";
+const char planar_rrr_continuation_x_alpha_digest[] = "44d62036ae6123bca874c29f26141ee23573e84998bf556ff6853c748b112fe4";
 #endif
 
 #define LANES 64

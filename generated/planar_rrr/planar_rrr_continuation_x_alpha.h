@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 89053be0f37bf69f232309405aeee0e75cc2817f22aab5d9f91cf7305abba370.
+ * Made from templates/kernel.h.j2; inputs 44d62036ae6123bca874c29f26141ee23573e84998bf556ff6853c748b112fe4.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

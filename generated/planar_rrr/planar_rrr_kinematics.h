@@ -1,5 +1,5 @@
 /* planar_rrr_kinematics.h: kinematics of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 439a0bf586c1c93325fc8a0d29eea84b53beb56eea78c8ead833de158c040c2c.
+ * Made from templates/kernel.h.j2; inputs 8320810b7729555e9b67e238070839162807681792000a4eb29f081d206e712c.
  * 337 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

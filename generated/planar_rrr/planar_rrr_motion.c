@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 726f0f76dbbb68050671669d287c6f8fc5e05c73470e131f85390e0d8036dd98.
+ * Made from templates/kernel.c.j2; inputs 282bd6f97fc1cf72c705b3106f32ebc96ce9007fe1f7c185333285e0aa1b878e.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "726f0f76dbbb68050671669d287c6f8fc5e05c73470e131f85390e0d8036dd98";
+const char planar_rrr_motion_digest[] = "282bd6f97fc1cf72c705b3106f32ebc96ce9007fe1f7c185333285e0aa1b878e";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 726f0f76dbbb68050671669d287c6f8fc5e05c73470e131f85390e0d8036dd98.
+Made from templates/kernel.py.j2; inputs 282bd6f97fc1cf72c705b3106f32ebc96ce9007fe1f7c185333285e0aa1b878e.
 248 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_position.c: manipulability (position) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 439a0bf586c1c93325fc8a0d29eea84b53beb56eea78c8ead833de158c040c2c.
+ * Made from templates/kernel.c.j2; inputs 8320810b7729555e9b67e238070839162807681792000a4eb29f081d206e712c.
  * 204 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_position_digest[] = "439a0bf586c1c93325fc8a0d29eea84b53beb56eea78c8ead833de158c040c2c";
+const char planar_rrr_position_digest[] = "8320810b7729555e9b67e238070839162807681792000a4eb29f081d206e712c";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 439a0bf586c1c93325fc8a0d29eea84b53beb56eea78c8ead833de158c040c2c.
+Made from templates/kernel.py.j2; inputs 8320810b7729555e9b67e238070839162807681792000a4eb29f081d206e712c.
 204 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs aa33b6177717f6b83d165f20512d3467c1ef6b61aabc4a705ab852670d14e0da.
+ * Made from templates/kernel.c.j2; inputs d100d4c29c8b7f4ac871eadb11ac603c07973416116f1f183334fd9f7e161c96.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "aa33b6177717f6b83d165f20512d3467c1ef6b61aabc4a705ab852670d14e0da";
+const char planar_rrr_self_motion_digest[] = "d100d4c29c8b7f4ac871eadb11ac603c07973416116f1f183334fd9f7e161c96";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 6d59be92846428bf061d7f599fb621960c365d7408822fabcae06542d990ee0e.
+ * Made from templates/kernel.c.j2; inputs 4c19858aedb4290a5bb6bfd05dfd9ff1838c921d5441c38906d2139933aa0730.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "6d59be92846428bf061d7f599fb621960c365d7408822fabcae06542d990ee0e";
+const char planar_rrr_speed_ratio_digest[] = "4c19858aedb4290a5bb6bfd05dfd9ff1838c921d5441c38906d2139933aa0730";
 #endif
 
 #define LANES 64

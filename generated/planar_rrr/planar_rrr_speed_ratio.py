@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6d59be92846428bf061d7f599fb621960c365d7408822fabcae06542d990ee0e.
+Made from templates/kernel.py.j2; inputs 4c19858aedb4290a5bb6bfd05dfd9ff1838c921d5441c38906d2139933aa0730.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

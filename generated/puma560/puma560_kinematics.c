@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs ebcbf12859cbddfbe3c0339a804eaa66e2e5c82948e07f676cfeda884f093703.
+ * Made from templates/kernel.c.j2; inputs 0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "ebcbf12859cbddfbe3c0339a804eaa66e2e5c82948e07f676cfeda884f093703";
+const char puma560_kinematics_digest[] = "0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07";
 #endif
 
 #define LANES 64

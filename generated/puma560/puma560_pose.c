@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs 4faebf49c5a2700873b486684b1b71fa046280cac45c6cde41d32f3adbc54e53.
+ * Made from templates/kernel.c.j2; inputs 0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "4faebf49c5a2700873b486684b1b71fa046280cac45c6cde41d32f3adbc54e53";
+const char puma560_pose_digest[] = "0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07";
 #endif
 
 #define LANES 64

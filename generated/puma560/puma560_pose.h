@@ -1,5 +1,5 @@
 /* puma560_pose.h: manipulability (pose) of puma560.
- * Made from templates/kernel.h.j2; inputs 4faebf49c5a2700873b486684b1b71fa046280cac45c6cde41d32f3adbc54e53.
+ * Made from templates/kernel.h.j2; inputs 0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

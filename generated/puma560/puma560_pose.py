@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4faebf49c5a2700873b486684b1b71fa046280cac45c6cde41d32f3adbc54e53.
+Made from templates/kernel.py.j2; inputs 0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 0053b4dec7a04226d2caf7975485f46696dd497e12888763fd8d6794b543c9bc.
+ * Made from templates/kernel.c.j2; inputs 4f6236ecf9e0acd9b9a817c402d83c867c91647ca56bfa2769fe1431998421ec.
  * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "0053b4dec7a04226d2caf7975485f46696dd497e12888763fd8d6794b543c9bc";
+const char regional_3r_cuspidality_digest[] = "4f6236ecf9e0acd9b9a817c402d83c867c91647ca56bfa2769fe1431998421ec";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0053b4dec7a04226d2caf7975485f46696dd497e12888763fd8d6794b543c9bc.
+Made from templates/kernel.py.j2; inputs 4f6236ecf9e0acd9b9a817c402d83c867c91647ca56bfa2769fe1431998421ec.
 5743 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

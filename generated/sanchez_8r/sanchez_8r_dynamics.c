@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs b272a0cce5fb0f819476020b950449d13232e5e38a5fb0df3ec15b11ffd5a999.
+ * Made from templates/kernel.c.j2; inputs bd324c6c0da2cbc9ce438db28e378ed3a365d09f7cc8a5ebc8f9a98d9c88fd58.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "b272a0cce5fb0f819476020b950449d13232e5e38a5fb0df3ec15b11ffd5a999";
+const char sanchez_8r_dynamics_digest[] = "bd324c6c0da2cbc9ce438db28e378ed3a365d09f7cc8a5ebc8f9a98d9c88fd58";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """dynamics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b272a0cce5fb0f819476020b950449d13232e5e38a5fb0df3ec15b11ffd5a999.
+Made from templates/kernel.py.j2; inputs bd324c6c0da2cbc9ce438db28e378ed3a365d09f7cc8a5ebc8f9a98d9c88fd58.
 982 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 8024c27efa21fe88dfed6b23b1362949e1f9d873fe1930224d0fb408e1801390.
+ * Made from templates/kernel.h.j2; inputs a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs c10014ee936bd12ca4db12d0f526ed9a428bf3b51caa6c4b9da18f79a622143c.
+ * Made from templates/kernel.c.j2; inputs a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9.
  * 2947 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,10 +9,10 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "c10014ee936bd12ca4db12d0f526ed9a428bf3b51caa6c4b9da18f79a622143c";
+const char sanchez_8r_pose_digest[] = "a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9";
 #endif
 
-#define LANES 32
+#define LANES 16
 #define TERMS(name) name##_tile
 #include "sanchez_8r_pose.inc"
 #undef TERMS
@@ -31,20 +31,20 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_pose)(const real *q, real *manipul
 
 void CHAINRULE_NAME(sanchez_8r_manipulability_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real q[8 * 32];
-    real manipulability[1 * 32];
+    real q[8 * 16];
+    real manipulability[1 * 16];
     const int streaming = chainrule_streams(count, 1);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 16);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_manipulability_pose_one(q, manipulability);
             chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
-            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_manipulability_pose_tile(q, manipulability);
-            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(manipulability, 16, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
     }
     chainrule_settle(streaming);
@@ -57,15 +57,15 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_pose)(const real *q, real
 
 void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real q[8 * 32];
-    real manipulability[1 * 32];
-    real gradient[8 * 32];
-    real inverse_gradient[8 * 32];
-    real inverse_root_gradient[8 * 32];
+    real q[8 * 16];
+    real manipulability[1 * 16];
+    real gradient[8 * 16];
+    real inverse_gradient[8 * 16];
+    real inverse_root_gradient[8 * 16];
     const int streaming = chainrule_streams(count, 25);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 16);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
             sanchez_8r_manipulability_gradient_pose_one(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
@@ -74,12 +74,12 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_pose_batch)(ptrdiff_t cou
             chainrule_scatter(inverse_gradient, 1, 1, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7], 0);
             chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8], 0);
         } else {
-            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
+            chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
             sanchez_8r_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
-            chainrule_scatter(manipulability, 32, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
-            chainrule_scatter(gradient, 32, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6], streaming);
-            chainrule_scatter(inverse_gradient, 32, taken, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7], streaming);
-            chainrule_scatter(inverse_root_gradient, 32, taken, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8], streaming);
+            chainrule_scatter(manipulability, 16, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
+            chainrule_scatter(gradient, 16, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6], streaming);
+            chainrule_scatter(inverse_gradient, 16, taken, args[3] + start * steps[3], steps[3], 1, 8, 8 * steps[7], steps[7], streaming);
+            chainrule_scatter(inverse_root_gradient, 16, taken, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -92,20 +92,20 @@ void CHAINRULE_NAME(sanchez_8r_minors_pose)(const real *q, real *minors)
 
 void CHAINRULE_NAME(sanchez_8r_minors_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real q[8 * 32];
-    real minors[28 * 32];
+    real q[8 * 16];
+    real minors[28 * 16];
     const int streaming = chainrule_streams(count, 28);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 16);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_minors_pose_one(q, minors);
             chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3], 0);
         } else {
-            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_minors_pose_tile(q, minors);
-            chainrule_scatter(minors, 32, taken, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3], streaming);
+            chainrule_scatter(minors, 16, taken, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3], streaming);
         }
     }
     chainrule_settle(streaming);
@@ -118,20 +118,20 @@ void CHAINRULE_NAME(sanchez_8r_null_projector_pose)(const real *q, real *null_pr
 
 void CHAINRULE_NAME(sanchez_8r_null_projector_pose_batch)(ptrdiff_t count, char *const *args, const ptrdiff_t *steps)
 {
-    real q[8 * 32];
-    real null_projector[64 * 32];
+    real q[8 * 16];
+    real null_projector[64 * 16];
     const int streaming = chainrule_streams(count, 64);
     int taken;
     for (ptrdiff_t start = 0; start < count; start += taken) {
-        taken = chainrule_take(count - start, 32);
+        taken = chainrule_take(count - start, 16);
         if (taken == 1) {
             chainrule_gather(q, 1, 1, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_null_projector_pose_one(q, null_projector);
             chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], 0);
         } else {
-            chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             sanchez_8r_null_projector_pose_tile(q, null_projector);
-            chainrule_scatter(null_projector, 32, taken, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], streaming);
+            chainrule_scatter(null_projector, 16, taken, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], streaming);
         }
     }
     chainrule_settle(streaming);

@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c10014ee936bd12ca4db12d0f526ed9a428bf3b51caa6c4b9da18f79a622143c.
+Made from templates/kernel.py.j2; inputs a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9.
 1893 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

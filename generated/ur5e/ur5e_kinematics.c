@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 0b79a03cb2beedd0365f665506b466562d0ed3df93bd2166b548a57502663584.
+ * Made from templates/kernel.c.j2; inputs 385f6766d4351ccb0742c85ffc8d4ee1df6aae18a090c2ffc935f5d0ceac2603.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "0b79a03cb2beedd0365f665506b466562d0ed3df93bd2166b548a57502663584";
+const char ur5e_kinematics_digest[] = "385f6766d4351ccb0742c85ffc8d4ee1df6aae18a090c2ffc935f5d0ceac2603";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.h: kinematics of ur5e.
- * Made from templates/kernel.h.j2; inputs 0b79a03cb2beedd0365f665506b466562d0ed3df93bd2166b548a57502663584.
+ * Made from templates/kernel.h.j2; inputs 385f6766d4351ccb0742c85ffc8d4ee1df6aae18a090c2ffc935f5d0ceac2603.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

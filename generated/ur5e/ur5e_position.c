@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 816e044f256faf30561a4c9c3e3efa335ca7d71aad031c46f759a5ff11439b96.
+ * Made from templates/kernel.c.j2; inputs 385f6766d4351ccb0742c85ffc8d4ee1df6aae18a090c2ffc935f5d0ceac2603.
  * 836 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "816e044f256faf30561a4c9c3e3efa335ca7d71aad031c46f759a5ff11439b96";
+const char ur5e_position_digest[] = "385f6766d4351ccb0742c85ffc8d4ee1df6aae18a090c2ffc935f5d0ceac2603";
 #endif
 
 #define LANES 64
