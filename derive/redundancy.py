@@ -279,21 +279,13 @@ def _solved(
     ratio = steps.let("ratio", least * given["inverse_threshold_s"])
     near = max_zero(steps, "near", 1 - ratio * ratio)
     damping = steps.let("damping", constant**2 + nakamura**2 + chiaverini**2 * near)
-    damped = _damped(steps, _unmoved(steps, across.lower, order, view), across.squares, turned, damping)
+    damped = _damped(steps, across, order, view, turned, damping)
     chosen = steps.let("is_damped", Where(damping, sp.Integer(1)))
     other = steps.let("is_plain", 1 - chosen)
     return [
         steps.let("solved", Where(damping, steps.let("damped", a)) + Where(other, b))
         for a, b in zip(damped, plain, strict=True)
     ]
-
-
-def _unmoved(steps: Steps, lower: Matrix, order: list[int], view: View) -> Matrix:
-    """B = move^-1 L, by rows of the task as they are turned: 2 I - move is the inverse of move."""
-    m = len(lower)
-    whole = [[*lower[k], sp.Integer(1), *[sp.Integer(0)] * m][:m] for k in (order.index(r) for r in range(m))]
-    back = [[2 * sp.Integer(r == s) - view.move[r][s] for s in range(m)] for r in range(m)]
-    return [[steps.let("tall", _dot(row, [other[k] for other in whole])) for k in range(m)] for row in back]
 
 
 def _least_singular(steps: Steps, across: OrthogonalRows, order: list[int], view: View) -> Expression:
@@ -316,16 +308,26 @@ def _least_singular(steps: Steps, across: OrthogonalRows, order: list[int], view
     return steps.let("smallest", Where(shortest, far))
 
 
-def _damped(steps: Steps, tall: Matrix, squares: Vector, wanted: Vector, damping: Expression) -> Vector:
-    """D B^T (B D B^T + mu^2 I)^-1 wanted, by factors triangular, diagonal, triangular; the pivots are at least mu^2.
+def _damped(
+    steps: Steps, across: OrthogonalRows, order: list[int], view: View, turned: Vector, damping: Expression
+) -> Vector:
+    """D B^T (B D B^T + mu^2 I)^-1 turned, by factors triangular, diagonal, triangular; the pivots are at least mu^2.
 
     Its relative error is some units of rounding times (s_1^2 + mu^2) / (s_m^2 + mu^2), with s_1 and s_m the extreme
     singular values of J diag(mobility).
     """
-    m = len(tall)
-    weighted = [
-        [steps.let("weighted", entry * square) for entry, square in zip(row, squares, strict=True)] for row in tall
+    m = len(order)
+    whole = [[*row, sp.Integer(1)] for row in across.lower]  # L
+    weighted = [  # L D
+        [steps.let("weighted", entry * square) for entry, square in zip(row, across.squares, strict=False)]
+        for row in whole
     ]
+    back = [[2 * sp.Integer(r == s) - view.move[r][s] for s in order] for r in order]  # move^-1
+    gram = [[sp.Integer(0)] * m for _ in range(m)]
+    for i in range(m):
+        for j in range(i + 1):
+            gram[i][j] = gram[j][i] = steps.let("gram", _dot(weighted[i][: j + 1], whole[j]))
+    half = [[steps.let("half", _dot(row, list(column))) for column in zip(*gram, strict=True)] for row in back]
     factors: Matrix = []  # rows of the triangular one
     inverses: Vector = []  # of the diagonal one
     u: Vector = []
@@ -333,14 +335,15 @@ def _damped(steps: Steps, tall: Matrix, squares: Vector, wanted: Vector, damping
         products: Vector = []  # entries of a row times the pivots
         entries: Vector = []
         for j in range(i):
-            square = _dot(weighted[i], tall[j])
+            square = _dot(half[i], back[j])
             products.append(steps.let("product", square - _dot(products, factors[j])))
             entries.append(steps.let("factor_entry", products[j] * inverses[j]))
-        whole = steps.let("pivot_damped", _dot(weighted[i], tall[i]) - _dot(products, entries) + damping)
-        inverses.append(steps.let("inverse_damped", GuardedInverse(steps.let("pivot_kept", sp.Max(whole, damping)))))
+        pivot = steps.let("pivot_damped", _dot(half[i], back[i]) - _dot(products, entries) + damping)
+        inverses.append(steps.let("inverse_damped", GuardedInverse(steps.let("pivot_kept", sp.Max(pivot, damping)))))
         factors.append(entries)
-        u.append(steps.let("down", wanted[i] - _dot(entries, u)))
+        u.append(steps.let("down", turned[order[i]] - _dot(entries, u)))
     u = [steps.let("across", a * b) for a, b in zip(u, inverses, strict=True)]
     for i in range(m - 1, -1, -1):
         u[i] = steps.let("up", u[i] - _dot([factors[k][i] for k in range(i + 1, m)], u[i + 1 :]))
-    return [_dot([row[i] for row in weighted], u) for i in range(m)]
+    u = [steps.let("unmoved", _dot(list(column), u)) for column in zip(*back, strict=True)]
+    return [_dot([row[i] for row in weighted[i:]], u[i:]) for i in range(m)]

@@ -1,6 +1,6 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs d9bddc92f429468725e6fa8fa660b11b02bbfde806c255ed9494fb33e173fe3a.
- * 2295 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs c1b7c08beef43c8995d59ebb72f6c1e72cad530b5aa6644c94dad3be01b55e24.
+ * 2211 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "panda_redundancy_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "d9bddc92f429468725e6fa8fa660b11b02bbfde806c255ed9494fb33e173fe3a";
+const char panda_redundancy_pose_digest[] = "c1b7c08beef43c8995d59ebb72f6c1e72cad530b5aa6644c94dad3be01b55e24";
 #endif
 
 #define LANES 16

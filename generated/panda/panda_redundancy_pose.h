@@ -1,6 +1,6 @@
 /* panda_redundancy_pose.h: redundancy pose of panda.
- * Made from templates/kernel.h.j2; inputs d9bddc92f429468725e6fa8fa660b11b02bbfde806c255ed9494fb33e173fe3a.
- * 2295 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs c1b7c08beef43c8995d59ebb72f6c1e72cad530b5aa6644c94dad3be01b55e24.
+ * 2211 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -33,7 +33,7 @@ extern const char panda_redundancy_pose_digest[];
  *   out  manipulability (one number)
  *   out  error[6]
  *   out  null_motion[7]
- *   2295 operations */
+ *   2211 operations */
 void panda_step_pose(const double *q, const double *held, const double *velocity, const double *push, const double *joints, const double *settings, double *q_next, double *rates, double *manipulability, double *error, double *null_motion);
 void panda_step_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void panda_step_posef(const float *q, const float *held, const float *velocity, const float *push, const float *joints, const float *settings, float *q_next, float *rates, float *manipulability, float *error, float *null_motion);

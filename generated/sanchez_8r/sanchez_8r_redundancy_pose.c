@@ -1,6 +1,6 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 8da239f64e0e2a3d83edf9c1831da039b19d05d440ae2f664c5591b94e0ad976.
- * 3041 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.c.j2; inputs 4cd698296cccda82c5e8f4fbed88ce41fb090a12775a90db398c3b0ed09d39d7.
+ * 2941 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
 #include "sanchez_8r_redundancy_pose.h"
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "8da239f64e0e2a3d83edf9c1831da039b19d05d440ae2f664c5591b94e0ad976";
+const char sanchez_8r_redundancy_pose_digest[] = "4cd698296cccda82c5e8f4fbed88ce41fb090a12775a90db398c3b0ed09d39d7";
 #endif
 
 #define LANES 8

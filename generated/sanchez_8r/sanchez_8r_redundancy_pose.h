@@ -1,6 +1,6 @@
 /* sanchez_8r_redundancy_pose.h: redundancy pose of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 8da239f64e0e2a3d83edf9c1831da039b19d05d440ae2f664c5591b94e0ad976.
- * 3041 operations. Do not edit: change the derivation and regenerate.
+ * Made from templates/kernel.h.j2; inputs 4cd698296cccda82c5e8f4fbed88ce41fb090a12775a90db398c3b0ed09d39d7.
+ * 2941 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.
  *
@@ -33,7 +33,7 @@ extern const char sanchez_8r_redundancy_pose_digest[];
  *   out  manipulability (one number)
  *   out  error[6]
  *   out  null_motion[8]
- *   3041 operations */
+ *   2941 operations */
 void sanchez_8r_step_pose(const double *q, const double *held, const double *velocity, const double *push, const double *joints, const double *settings, double *q_next, double *rates, double *manipulability, double *error, double *null_motion);
 void sanchez_8r_step_pose_batch(ptrdiff_t count, char *const *args, const ptrdiff_t *steps);
 void sanchez_8r_step_posef(const float *q, const float *held, const float *velocity, const float *push, const float *joints, const float *settings, float *q_next, float *rates, float *manipulability, float *error, float *null_motion);
