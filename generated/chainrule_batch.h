@@ -14,12 +14,70 @@ CR_INLINE int chainrule_take(ptrdiff_t left, int width)
     return left >= width ? width : left >= 8 ? (int)left : 1;
 }
 
+/* Four configurations times four entries at a time, where the compiler knows vectors; else one by one. */
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define CR_HAS_QUADS 1
+#endif
+#endif
+#ifndef CR_HAS_QUADS
+#define CR_HAS_QUADS 0
+#endif
+
+#if CR_HAS_QUADS
+typedef real chainrule_quad __attribute__((vector_size(4 * sizeof(real)), aligned(sizeof(real)), may_alias));
+
+/* Entry c of row r of the 4 x 4 numbers at `from` becomes entry r of row c at `to`; the rows are so many bytes apart. */
+CR_INLINE void chainrule_transpose(const char *from, ptrdiff_t from_step, char *to, ptrdiff_t to_step)
+{
+    const chainrule_quad a = *(const chainrule_quad *)(const void *)from;
+    const chainrule_quad b = *(const chainrule_quad *)(const void *)(from + from_step);
+    const chainrule_quad c = *(const chainrule_quad *)(const void *)(from + 2 * from_step);
+    const chainrule_quad d = *(const chainrule_quad *)(const void *)(from + 3 * from_step);
+    const chainrule_quad ab = __builtin_shufflevector(a, b, 0, 4, 2, 6), ba = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const chainrule_quad cd = __builtin_shufflevector(c, d, 0, 4, 2, 6), dc = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    *(chainrule_quad *)(void *)to = __builtin_shufflevector(ab, cd, 0, 1, 4, 5);
+    *(chainrule_quad *)(void *)(to + to_step) = __builtin_shufflevector(ba, dc, 0, 1, 4, 5);
+    *(chainrule_quad *)(void *)(to + 2 * to_step) = __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
+    *(chainrule_quad *)(void *)(to + 3 * to_step) = __builtin_shufflevector(ba, dc, 2, 3, 6, 7);
+}
+#endif
+
+/* `size` >= 4 entries of each of `count` configurations, side by side in memory, into the tile or out of it; returns how
+ * many configurations that was. The last four entries of a row may overlap the four before. */
+CR_INLINE int chainrule_quads(real *tile, int width, int count, char *rows, ptrdiff_t outer, int size, int out)
+{
+#if CR_HAS_QUADS
+    const ptrdiff_t entry = (ptrdiff_t)sizeof(real), lane = width * entry;
+    const int whole = count & ~3;
+    for (int i = 0; i < whole; i += 4) {
+        for (int k = 0; k < size; k += 4) {
+            const int at = k + 4 <= size ? k : size - 4;
+            char *inside = (char *)(tile + at * width + i), *outside = rows + i * outer + at * entry;
+            if (out) {
+                chainrule_transpose(inside, lane, outside, outer);
+            } else {
+                chainrule_transpose(outside, outer, inside, lane);
+            }
+        }
+    }
+    return whole;
+#else
+    (void)tile, (void)width, (void)count, (void)rows, (void)outer, (void)size, (void)out;
+    return 0;
+#endif
+}
+
 /* rows x cols entries of each of `count` configurations into the tile; strides in bytes. Unused lanes repeat the
  * first configuration, so that they cost nothing unusual. */
 CR_INLINE void chainrule_gather(real *restrict tile, int width, int count, const char *from, ptrdiff_t outer, int rows,
                                 int cols, ptrdiff_t row_step, ptrdiff_t col_step)
 {
-    for (int i = 0; i < count; ++i) {
+    int done = 0;
+    if (rows * cols >= 4 && col_step == (ptrdiff_t)sizeof(real) && row_step == cols * (ptrdiff_t)sizeof(real)) {
+        done = chainrule_quads(tile, width, count, (char *)(uintptr_t)from, outer, rows * cols, 0);
+    }
+    for (int i = done; i < count; ++i) {
         for (int r = 0; r < rows; ++r) {
             for (int c = 0; c < cols; ++c) {
                 tile[(r * cols + c) * width + i] = *(const real *)(const void *)(from + i * outer + r * row_step + c * col_step);
@@ -117,7 +175,7 @@ CR_INLINE void chainrule_settle(int streamed)
 #endif
 
 /* The tile's entries out to `count` configurations. */
-CR_INLINE void chainrule_scatter(const real *restrict tile, int width, int count, char *to, ptrdiff_t outer, int rows,
+CR_INLINE void chainrule_scatter(real *restrict tile, int width, int count, char *to, ptrdiff_t outer, int rows,
                                  int cols, ptrdiff_t row_step, ptrdiff_t col_step, int streaming)
 {
     const int size = rows * cols;
@@ -127,7 +185,7 @@ CR_INLINE void chainrule_scatter(const real *restrict tile, int width, int count
             real staged[CR_STREAM_ROWS * CR_STREAM_MOST];
             for (int i = 0; i < count; i += CR_STREAM_ROWS) {
                 const int rest = count - i < CR_STREAM_ROWS ? count - i : CR_STREAM_ROWS;
-                for (int j = 0; j < rest; ++j) {
+                for (int j = chainrule_quads(tile + i, width, rest, (char *)staged, outer, size, 1); j < rest; ++j) {
                     chainrule_row(tile, width, i + j, staged + j * size, size);
                 }
                 chainrule_stream(to + i * outer, (const char *)staged, rest * outer);
@@ -136,7 +194,7 @@ CR_INLINE void chainrule_scatter(const real *restrict tile, int width, int count
         }
 #endif
         (void)streaming;
-        for (int i = 0; i < count; ++i) {
+        for (int i = size >= 4 ? chainrule_quads(tile, width, count, to, outer, size, 1) : 0; i < count; ++i) {
             chainrule_row(tile, width, i, (real *)(void *)(to + i * outer), size);
         }
         return;
