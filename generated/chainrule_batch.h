@@ -68,6 +68,21 @@ CR_INLINE int chainrule_quads(real *tile, int width, int count, char *rows, ptrd
 #endif
 }
 
+/* Rows that lie close to each other, on their way into the cache while a tile is computed: to be read (0) or written (1).
+ * An address may lie beyond the end: that asks for nothing. */
+#if defined(__GNUC__)
+#define chainrule_fetch(rows, outer, size, count, writing)                                           \
+    do {                                                                                             \
+        if ((outer) <= 2 * (size) * (ptrdiff_t)sizeof(real)) {                                       \
+            for (ptrdiff_t byte = 0; byte < (outer) * (count); byte += 64) {                         \
+                __builtin_prefetch((const void *)((uintptr_t)(rows) + (uintptr_t)byte), (writing)); \
+            }                                                                                        \
+        }                                                                                            \
+    } while (0)
+#else
+#define chainrule_fetch(rows, outer, size, count, writing) ((void)0)
+#endif
+
 /* rows x cols entries of each of `count` configurations into the tile; strides in bytes. Unused lanes repeat the
  * first configuration, so that they cost nothing unusual. */
 CR_INLINE void chainrule_gather(real *restrict tile, int width, int count, const char *from, ptrdiff_t outer, int rows,

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765.
+ * Made from templates/kernel.c.j2; inputs 77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765";
+const char gofa5_kinematics_digest[] = "77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(gofa5_position_batch)(ptrdiff_t count, char *const *args, co
             chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
             gofa5_position_tile(q, position);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -69,6 +71,8 @@ void CHAINRULE_NAME(gofa5_pose_batch)(ptrdiff_t count, char *const *args, const 
             chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
             gofa5_pose_tile(q, pose);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -95,6 +99,8 @@ void CHAINRULE_NAME(gofa5_jacobian_position_batch)(ptrdiff_t count, char *const 
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 18, taken, 1);
             gofa5_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4], streaming);
         }
@@ -121,6 +127,8 @@ void CHAINRULE_NAME(gofa5_jacobian_pose_batch)(ptrdiff_t count, char *const *arg
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
             gofa5_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }
@@ -149,6 +157,9 @@ void CHAINRULE_NAME(gofa5_kinematics_position_batch)(ptrdiff_t count, char *cons
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
             gofa5_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6], streaming);
@@ -178,6 +189,9 @@ void CHAINRULE_NAME(gofa5_kinematics_pose_batch)(ptrdiff_t count, char *const *a
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 36, taken, 1);
             gofa5_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7], streaming);

@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765.
+ * Made from templates/kernel.c.j2; inputs 77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15.
  * 1045 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "b569f66eefcaba0cfaf362f67f82b707333f320476c08a79d9aa82d00403b765";
+const char gofa5_position_digest[] = "77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(gofa5_manipulability_position_batch)(ptrdiff_t count, char *
             chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
             gofa5_manipulability_position_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -75,6 +77,11 @@ void CHAINRULE_NAME(gofa5_manipulability_gradient_position_batch)(ptrdiff_t coun
             chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
             gofa5_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
@@ -104,6 +111,8 @@ void CHAINRULE_NAME(gofa5_minors_position_batch)(ptrdiff_t count, char *const *a
             chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 20, taken, 1);
             gofa5_minors_position_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3], streaming);
         }
@@ -130,6 +139,8 @@ void CHAINRULE_NAME(gofa5_null_projector_position_batch)(ptrdiff_t count, char *
             chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
             gofa5_null_projector_position_tile(q, null_projector);
             chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }

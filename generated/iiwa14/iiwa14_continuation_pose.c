@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs ceb3d9f8faaf3efa3ea3d26c931fe9bf97398e1dc732b3e0785ed75a561f2e36.
+ * Made from templates/kernel.c.j2; inputs 30ea79e12cdbb4fe8d8459b2a3c482fd51a34aa2cc45e9f4aef2b0dcabbadc05.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "ceb3d9f8faaf3efa3ea3d26c931fe9bf97398e1dc732b3e0785ed75a561f2e36";
+const char iiwa14_continuation_pose_digest[] = "30ea79e12cdbb4fe8d8459b2a3c482fd51a34aa2cc45e9f4aef2b0dcabbadc05";
 #endif
 
 #define LANES 32
@@ -55,6 +55,11 @@ void CHAINRULE_NAME(iiwa14_continuation_pose_batch)(ptrdiff_t count, char *const
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[5], steps[5]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(held, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[6], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 16, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 42, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 7, taken, 1);
             iiwa14_continuation_pose_tile(q, held, error, jacobian, null_vector);
             chainrule_scatter(error, 32, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[8], steps[8], streaming);
             chainrule_scatter(jacobian, 32, taken, args[3] + start * steps[3], steps[3], 6, 7, steps[9], steps[10], streaming);
@@ -85,6 +90,9 @@ void CHAINRULE_NAME(iiwa14_continuation_pose_bending_batch)(ptrdiff_t count, cha
             chainrule_scatter(bending, 1, 1, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[5], steps[5], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 7, taken, 1);
             iiwa14_continuation_pose_bending_tile(q, null_vector, bending);
             chainrule_scatter(null_vector, 32, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[4], steps[4], streaming);
             chainrule_scatter(bending, 32, taken, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[5], steps[5], streaming);

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.h: continuation pose of iiwa14.
- * Made from templates/kernel.h.j2; inputs ceb3d9f8faaf3efa3ea3d26c931fe9bf97398e1dc732b3e0785ed75a561f2e36.
+ * Made from templates/kernel.h.j2; inputs 30ea79e12cdbb4fe8d8459b2a3c482fd51a34aa2cc45e9f4aef2b0dcabbadc05.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

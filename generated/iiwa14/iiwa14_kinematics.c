@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995.
+ * Made from templates/kernel.c.j2; inputs 563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995";
+const char iiwa14_kinematics_digest[] = "563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(iiwa14_position_batch)(ptrdiff_t count, char *const *args, c
             chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
             iiwa14_position_tile(q, position);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -69,6 +71,8 @@ void CHAINRULE_NAME(iiwa14_pose_batch)(ptrdiff_t count, char *const *args, const
             chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
             iiwa14_pose_tile(q, pose);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -95,6 +99,8 @@ void CHAINRULE_NAME(iiwa14_jacobian_position_batch)(ptrdiff_t count, char *const
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 21, taken, 1);
             iiwa14_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], streaming);
         }
@@ -121,6 +127,8 @@ void CHAINRULE_NAME(iiwa14_jacobian_pose_batch)(ptrdiff_t count, char *const *ar
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 42, taken, 1);
             iiwa14_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], streaming);
         }
@@ -149,6 +157,9 @@ void CHAINRULE_NAME(iiwa14_kinematics_position_batch)(ptrdiff_t count, char *con
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 21, taken, 1);
             iiwa14_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], streaming);
@@ -178,6 +189,9 @@ void CHAINRULE_NAME(iiwa14_kinematics_pose_batch)(ptrdiff_t count, char *const *
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 42, taken, 1);
             iiwa14_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], streaming);

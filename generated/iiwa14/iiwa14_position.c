@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995.
+ * Made from templates/kernel.c.j2; inputs 563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c.
  * 1362 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "59269d5b70ac44293f4c855e23493bbd26d816b24fb6508a77d8ea10e1aba995";
+const char iiwa14_position_digest[] = "563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(iiwa14_manipulability_position_batch)(ptrdiff_t count, char 
             chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
             iiwa14_manipulability_position_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -75,6 +77,11 @@ void CHAINRULE_NAME(iiwa14_manipulability_gradient_position_batch)(ptrdiff_t cou
             chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 7, 7 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 7, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 7, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 7, taken, 1);
             iiwa14_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[6], steps[6], streaming);
@@ -104,6 +111,8 @@ void CHAINRULE_NAME(iiwa14_minors_position_batch)(ptrdiff_t count, char *const *
             chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 35, 35 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 35, taken, 1);
             iiwa14_minors_position_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 35, 35 * steps[3], steps[3], streaming);
         }
@@ -130,6 +139,8 @@ void CHAINRULE_NAME(iiwa14_null_projector_position_batch)(ptrdiff_t count, char 
             chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 7, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 49, taken, 1);
             iiwa14_null_projector_position_tile(q, null_projector);
             chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 7, 7, steps[3], steps[4], streaming);
         }

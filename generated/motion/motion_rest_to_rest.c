@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs 6b8c1ffdaaa59cda38abe350abd10f8d06924e671ffe865462c722a9e451231e.
+ * Made from templates/kernel.c.j2; inputs 620f16f8e3d2d9124c77cf37e0fe8a4efb2bfc8b611fdfce12bbecf53b8f9f98.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "6b8c1ffdaaa59cda38abe350abd10f8d06924e671ffe865462c722a9e451231e";
+const char motion_rest_to_rest_digest[] = "620f16f8e3d2d9124c77cf37e0fe8a4efb2bfc8b611fdfce12bbecf53b8f9f98";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(motion_rest_to_rest_batch)(ptrdiff_t count, char *const *arg
             chainrule_scatter(profile, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(move, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 4, taken, 1);
             motion_rest_to_rest_tile(move, profile);
             chainrule_scatter(profile, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[3], steps[3], streaming);
         }
@@ -69,6 +71,8 @@ void CHAINRULE_NAME(motion_rest_to_rest_in_batch)(ptrdiff_t count, char *const *
             chainrule_scatter(profile, 1, 1, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(move, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 4, taken, 1);
             motion_rest_to_rest_in_tile(move, profile);
             chainrule_scatter(profile, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[3], steps[3], streaming);
         }
@@ -95,6 +99,8 @@ void CHAINRULE_NAME(motion_rest_to_rest_state_batch)(ptrdiff_t count, char *cons
             chainrule_scatter(state, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(instant, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
             motion_rest_to_rest_state_tile(instant, state);
             chainrule_scatter(state, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
         }

@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs dc55d59797f11d0cede9fbf16b9a128374f8dfd40f1c93eec23f5c5f97abb8a7.
+ * Made from templates/kernel.c.j2; inputs 4eb96cb02b5664607aa25338d5cd44b079fa792e1a4c9d54970b644a0c6104a3.
  * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "dc55d59797f11d0cede9fbf16b9a128374f8dfd40f1c93eec23f5c5f97abb8a7";
+const char orthogonal_3r_cuspidality_digest[] = "4eb96cb02b5664607aa25338d5cd44b079fa792e1a4c9d54970b644a0c6104a3";
 #endif
 
 #define LANES 64
@@ -47,6 +47,9 @@ void CHAINRULE_NAME(orthogonal_3r_quartic_batch)(ptrdiff_t count, char *const *a
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 5, taken, 1);
             orthogonal_3r_quartic_tile(parameters, target, quartic);
             chainrule_scatter(quartic, 64, taken, args[2] + start * steps[2], steps[2], 1, 5, 5 * steps[5], steps[5], streaming);
         }
@@ -73,6 +76,8 @@ void CHAINRULE_NAME(orthogonal_3r_cusp_polynomial_batch)(ptrdiff_t count, char *
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
             orthogonal_3r_cusp_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
         }
@@ -99,6 +104,8 @@ void CHAINRULE_NAME(orthogonal_3r_aspect_polynomial_batch)(ptrdiff_t count, char
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 5, taken, 1);
             orthogonal_3r_aspect_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[3], steps[3], streaming);
         }
@@ -129,6 +136,9 @@ void CHAINRULE_NAME(orthogonal_3r_determinant_terms_batch)(ptrdiff_t count, char
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             orthogonal_3r_determinant_terms_tile(parameters, elbow, terms);
             chainrule_scatter(terms, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -163,6 +173,10 @@ void CHAINRULE_NAME(orthogonal_3r_determinant_batch)(ptrdiff_t count, char *cons
                 chainrule_gather(shoulder, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
             orthogonal_3r_determinant_tile(parameters, shoulder, elbow, determinant);
             chainrule_scatter(determinant, 64, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -189,6 +203,8 @@ void CHAINRULE_NAME(orthogonal_3r_second_axis_batch)(ptrdiff_t count, char *cons
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
             orthogonal_3r_second_axis_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
         }
@@ -219,6 +235,9 @@ void CHAINRULE_NAME(orthogonal_3r_triple_point_batch)(ptrdiff_t count, char *con
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             orthogonal_3r_triple_point_tile(parameters, elbow, cusp);
             chainrule_scatter(cusp, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -253,6 +272,10 @@ void CHAINRULE_NAME(orthogonal_3r_image_batch)(ptrdiff_t count, char *const *arg
                 chainrule_gather(shoulder, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
             orthogonal_3r_image_tile(parameters, shoulder, elbow, target);
             chainrule_scatter(target, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
         }
@@ -279,6 +302,8 @@ void CHAINRULE_NAME(orthogonal_3r_conic_terms_batch)(ptrdiff_t count, char *cons
             chainrule_scatter(conic, 1, 1, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], 0);
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 30, taken, 1);
             orthogonal_3r_conic_terms_tile(parameters, conic);
             chainrule_scatter(conic, 64, taken, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], streaming);
         }
@@ -313,6 +338,10 @@ void CHAINRULE_NAME(orthogonal_3r_shoulder_batch)(ptrdiff_t count, char *const *
                 chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
             orthogonal_3r_shoulder_tile(parameters, target, elbow, ratio);
             chainrule_scatter(ratio, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -347,6 +376,10 @@ void CHAINRULE_NAME(orthogonal_3r_unturned_batch)(ptrdiff_t count, char *const *
                 chainrule_gather(shoulder, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
             orthogonal_3r_unturned_tile(parameters, shoulder, elbow, point);
             chainrule_scatter(point, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -379,6 +412,10 @@ void CHAINRULE_NAME(orthogonal_3r_number_of_postures_batch)(ptrdiff_t count, cha
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
             orthogonal_3r_number_of_postures_tile(parameters, target, number, margin);
             chainrule_scatter(number, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(margin, 64, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
@@ -408,6 +445,9 @@ void CHAINRULE_NAME(orthogonal_3r_classify_batch)(ptrdiff_t count, char *const *
             chainrule_scatter(topology, 1, 1, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
             orthogonal_3r_classify_tile(parameters, domain, topology);
             chainrule_scatter(domain, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(topology, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
@@ -435,6 +475,8 @@ void CHAINRULE_NAME(orthogonal_3r_sides_batch)(ptrdiff_t count, char *const *arg
             chainrule_scatter(sides, 1, 1, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 6, taken, 1);
             orthogonal_3r_sides_tile(parameters, sides);
             chainrule_scatter(sides, 64, taken, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[3], steps[3], streaming);
         }
@@ -461,6 +503,8 @@ void CHAINRULE_NAME(orthogonal_3r_exact_sides_batch)(ptrdiff_t count, char *cons
             chainrule_scatter(sides, 1, 1, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 9, taken, 1);
             orthogonal_3r_exact_sides_tile(parameters, sides);
             chainrule_scatter(sides, 64, taken, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], streaming);
         }

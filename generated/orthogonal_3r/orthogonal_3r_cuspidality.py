@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs dc55d59797f11d0cede9fbf16b9a128374f8dfd40f1c93eec23f5c5f97abb8a7.
+Made from templates/kernel.py.j2; inputs 4eb96cb02b5664607aa25338d5cd44b079fa792e1a4c9d54970b644a0c6104a3.
 707 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

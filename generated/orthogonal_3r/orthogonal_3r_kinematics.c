@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs d00563a95cd1199fb36ac1be8f46cb4ad185fdcb4cf81c636d276fa6ca6eaf70.
+ * Made from templates/kernel.c.j2; inputs 4bec702d8e49a24575b6f24c2d048fa81c1289adb45b22e4f192e448e5f8e909.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "d00563a95cd1199fb36ac1be8f46cb4ad185fdcb4cf81c636d276fa6ca6eaf70";
+const char orthogonal_3r_kinematics_digest[] = "4bec702d8e49a24575b6f24c2d048fa81c1289adb45b22e4f192e448e5f8e909";
 #endif
 
 #define LANES 64
@@ -47,6 +47,9 @@ void CHAINRULE_NAME(orthogonal_3r_position_batch)(ptrdiff_t count, char *const *
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             orthogonal_3r_position_tile(q, parameters, position);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -77,6 +80,9 @@ void CHAINRULE_NAME(orthogonal_3r_pose_batch)(ptrdiff_t count, char *const *args
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 16, taken, 1);
             orthogonal_3r_pose_tile(q, parameters, pose);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6], streaming);
         }
@@ -107,6 +113,9 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_position_batch)(ptrdiff_t count, char
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
             orthogonal_3r_jacobian_position_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -137,6 +146,9 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_pose_batch)(ptrdiff_t count, char *co
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
             orthogonal_3r_jacobian_pose_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6], streaming);
         }
@@ -169,6 +181,10 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_position_batch)(ptrdiff_t count, ch
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 9, taken, 1);
             orthogonal_3r_kinematics_position_tile(q, parameters, position, jacobian);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8], streaming);
@@ -202,6 +218,10 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_pose_batch)(ptrdiff_t count, char *
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 16, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
             orthogonal_3r_kinematics_pose_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], streaming);

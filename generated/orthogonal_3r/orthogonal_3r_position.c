@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs d00563a95cd1199fb36ac1be8f46cb4ad185fdcb4cf81c636d276fa6ca6eaf70.
+ * Made from templates/kernel.c.j2; inputs 4bec702d8e49a24575b6f24c2d048fa81c1289adb45b22e4f192e448e5f8e909.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "d00563a95cd1199fb36ac1be8f46cb4ad185fdcb4cf81c636d276fa6ca6eaf70";
+const char orthogonal_3r_position_digest[] = "4bec702d8e49a24575b6f24c2d048fa81c1289adb45b22e4f192e448e5f8e909";
 #endif
 
 #define LANES 64
@@ -47,6 +47,9 @@ void CHAINRULE_NAME(orthogonal_3r_manipulability_position_batch)(ptrdiff_t count
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
             orthogonal_3r_manipulability_position_tile(q, parameters, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -83,6 +86,12 @@ void CHAINRULE_NAME(orthogonal_3r_manipulability_gradient_position_batch)(ptrdif
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
             orthogonal_3r_manipulability_gradient_position_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
@@ -116,6 +125,9 @@ void CHAINRULE_NAME(orthogonal_3r_minors_position_batch)(ptrdiff_t count, char *
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
             orthogonal_3r_minors_position_tile(q, parameters, minors);
             chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[5], steps[5], streaming);
         }

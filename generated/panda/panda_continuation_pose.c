@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs 9cfbd17d7fd505d94be6f8d2fb09fb8752011d680d0ca2d73b2329fc989122ad.
+ * Made from templates/kernel.c.j2; inputs dcc9d8e6e2f66e76337bac5233922820684b08e7981ad003e7ef649964a3db2f.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "9cfbd17d7fd505d94be6f8d2fb09fb8752011d680d0ca2d73b2329fc989122ad";
+const char panda_continuation_pose_digest[] = "dcc9d8e6e2f66e76337bac5233922820684b08e7981ad003e7ef649964a3db2f";
 #endif
 
 #define LANES 32
@@ -55,6 +55,11 @@ void CHAINRULE_NAME(panda_continuation_pose_batch)(ptrdiff_t count, char *const 
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[5], steps[5]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(held, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[6], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 16, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 42, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 7, taken, 1);
             panda_continuation_pose_tile(q, held, error, jacobian, null_vector);
             chainrule_scatter(error, 32, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[8], steps[8], streaming);
             chainrule_scatter(jacobian, 32, taken, args[3] + start * steps[3], steps[3], 6, 7, steps[9], steps[10], streaming);
@@ -85,6 +90,9 @@ void CHAINRULE_NAME(panda_continuation_pose_bending_batch)(ptrdiff_t count, char
             chainrule_scatter(bending, 1, 1, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[5], steps[5], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 7, taken, 1);
             panda_continuation_pose_bending_tile(q, null_vector, bending);
             chainrule_scatter(null_vector, 32, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[4], steps[4], streaming);
             chainrule_scatter(bending, 32, taken, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[5], steps[5], streaming);

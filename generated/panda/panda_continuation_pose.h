@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs 9cfbd17d7fd505d94be6f8d2fb09fb8752011d680d0ca2d73b2329fc989122ad.
+ * Made from templates/kernel.h.j2; inputs dcc9d8e6e2f66e76337bac5233922820684b08e7981ad003e7ef649964a3db2f.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

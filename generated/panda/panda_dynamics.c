@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs 68696147dac3920d89799e4fbefbfeff4f854c16d83d5fa89b6474f44d8a1028.
+ * Made from templates/kernel.c.j2; inputs a0b297eba3c8684320b39a6eb6a1e7e24e953e19edc653df2883d15c0d868e7e.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "68696147dac3920d89799e4fbefbfeff4f854c16d83d5fa89b6474f44d8a1028";
+const char panda_dynamics_digest[] = "a0b297eba3c8684320b39a6eb6a1e7e24e953e19edc653df2883d15c0d868e7e";
 #endif
 
 #define LANES 32
@@ -63,6 +63,13 @@ void CHAINRULE_NAME(panda_inverse_dynamics_batch)(ptrdiff_t count, char *const *
                 chainrule_gather(gravity, 32, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[12], steps[12]);
             if (start == 0 || steps[5] != 0) /* the same for all: once */
                 chainrule_gather(wrench, 32, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[13], steps[13]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 7, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 7, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 70, taken, 0);
+            chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
+            chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 6, taken, 0);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 7, taken, 1);
             panda_inverse_dynamics_tile(q, rates, accelerations, inertias, gravity, wrench, torque);
             chainrule_scatter(torque, 32, taken, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[14], steps[14], streaming);
         }

@@ -1,5 +1,5 @@
 /* panda_dynamics.h: dynamics of panda.
- * Made from templates/kernel.h.j2; inputs 68696147dac3920d89799e4fbefbfeff4f854c16d83d5fa89b6474f44d8a1028.
+ * Made from templates/kernel.h.j2; inputs a0b297eba3c8684320b39a6eb6a1e7e24e953e19edc653df2883d15c0d868e7e.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

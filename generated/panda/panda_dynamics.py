@@ -1,6 +1,6 @@
 """dynamics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 68696147dac3920d89799e4fbefbfeff4f854c16d83d5fa89b6474f44d8a1028.
+Made from templates/kernel.py.j2; inputs a0b297eba3c8684320b39a6eb6a1e7e24e953e19edc653df2883d15c0d868e7e.
 845 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

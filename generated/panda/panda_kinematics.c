@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50.
+ * Made from templates/kernel.c.j2; inputs c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "5d092259d69ab35afc3ef708abbaa85b52598d240eb1e93986ba55f567c83a50";
+const char panda_kinematics_digest[] = "c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(panda_position_batch)(ptrdiff_t count, char *const *args, co
             chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
             panda_position_tile(q, position);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -69,6 +71,8 @@ void CHAINRULE_NAME(panda_pose_batch)(ptrdiff_t count, char *const *args, const 
             chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
             panda_pose_tile(q, pose);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -95,6 +99,8 @@ void CHAINRULE_NAME(panda_jacobian_position_batch)(ptrdiff_t count, char *const 
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 21, taken, 1);
             panda_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], streaming);
         }
@@ -121,6 +127,8 @@ void CHAINRULE_NAME(panda_jacobian_pose_batch)(ptrdiff_t count, char *const *arg
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 42, taken, 1);
             panda_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], streaming);
         }
@@ -149,6 +157,9 @@ void CHAINRULE_NAME(panda_kinematics_position_batch)(ptrdiff_t count, char *cons
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 21, taken, 1);
             panda_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], streaming);
@@ -178,6 +189,9 @@ void CHAINRULE_NAME(panda_kinematics_pose_batch)(ptrdiff_t count, char *const *a
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 42, taken, 1);
             panda_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], streaming);

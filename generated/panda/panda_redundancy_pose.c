@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs c1b7c08beef43c8995d59ebb72f6c1e72cad530b5aa6644c94dad3be01b55e24.
+ * Made from templates/kernel.c.j2; inputs b0b95af659c18e34f35d620da6001a42b388b6e1d8d366830abc457387fa7e54.
  * 2211 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "c1b7c08beef43c8995d59ebb72f6c1e72cad530b5aa6644c94dad3be01b55e24";
+const char panda_redundancy_pose_digest[] = "b0b95af659c18e34f35d620da6001a42b388b6e1d8d366830abc457387fa7e54";
 #endif
 
 #define LANES 16
@@ -71,6 +71,17 @@ void CHAINRULE_NAME(panda_step_pose_batch)(ptrdiff_t count, char *const *args, c
                 chainrule_gather(joints, 16, taken, args[4] + start * steps[4], steps[4], 4, 7, steps[16], steps[17]);
             if (start == 0 || steps[5] != 0) /* the same for all: once */
                 chainrule_gather(settings, 16, taken, args[5] + start * steps[5], steps[5], 1, 12, 12 * steps[18], steps[18]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 16, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 6, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 7, taken, 0);
+            chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 28, taken, 0);
+            chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 12, taken, 0);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 7, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 7, taken, 1);
+            chainrule_fetch(args[8] + start * steps[8], steps[8], 1, taken, 1);
+            chainrule_fetch(args[9] + start * steps[9], steps[9], 6, taken, 1);
+            chainrule_fetch(args[10] + start * steps[10], steps[10], 7, taken, 1);
             panda_step_pose_tile(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
             chainrule_scatter(q_next, 16, taken, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[19], steps[19], streaming);
             chainrule_scatter(rates, 16, taken, args[7] + start * steps[7], steps[7], 1, 7, 7 * steps[20], steps[20], streaming);

@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c1b7c08beef43c8995d59ebb72f6c1e72cad530b5aa6644c94dad3be01b55e24.
+Made from templates/kernel.py.j2; inputs b0b95af659c18e34f35d620da6001a42b388b6e1d8d366830abc457387fa7e54.
 2211 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 6ded5fdea3bdff122b61ebd6ea6ab9ec5a2918c8491b267bef302091e1e5c3ab.
+ * Made from templates/kernel.h.j2; inputs fd8d9eade63592923c1279ced319c9eedfd053acb7a95be4064aed42d819d89a.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

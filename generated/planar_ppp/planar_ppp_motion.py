@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fc3b1286cb99fce5e62c822d2be26797de141a97c8b911382ae2d0e71eeee35a.
+Made from templates/kernel.py.j2; inputs b5db41e6449c5cf46dca2d6378f51dae4b4a51c07bcb73f8db114c0a873e288c.
 120 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 5af02ba627a199f8537b2b9a7612168f83e16e8f30e6eb443894c8d01cec5c7d.
+ * Made from templates/kernel.h.j2; inputs f4d5b810656e53b6de2716c0ac2e94ab3b4cef25052b2bb3323037ef6bd127b9.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

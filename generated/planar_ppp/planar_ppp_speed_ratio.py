@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5af02ba627a199f8537b2b9a7612168f83e16e8f30e6eb443894c8d01cec5c7d.
+Made from templates/kernel.py.j2; inputs f4d5b810656e53b6de2716c0ac2e94ab3b4cef25052b2bb3323037ef6bd127b9.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

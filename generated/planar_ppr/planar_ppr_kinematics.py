@@ -1,6 +1,6 @@
 """kinematics of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 22ced1d2e81f4d651b496871ff4f5143f9a9cbb417cbba9649a210558891dc19.
+Made from templates/kernel.py.j2; inputs 3083542d29c195a4a7f958b3feeda8b5bc963468cdaed53bf31c3a207d8ff5c7.
 215 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

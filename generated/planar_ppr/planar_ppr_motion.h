@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs d749da1b703a6993fd995e6b01423203b5894836ff0d3950bfee931e52bd0982.
+ * Made from templates/kernel.h.j2; inputs 8bbdf5f1d3646889ae11e33c1cc94c60b9b6ef9bfb107fea356993ccd9caa6f6.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9c3fa2096e47a0efea2b5e6e3040728941e93e433efea128b4e32cb4c60a4092.
+Made from templates/kernel.py.j2; inputs fe125784574e763d19c4853e8bda6a6c6f9ee81491edfc1ee87759bd482f7a20.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

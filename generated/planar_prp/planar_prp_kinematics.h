@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs 4095abf478422b7968032950618e4c92481bba8f2819e3c5f42bab3e922422da.
+ * Made from templates/kernel.h.j2; inputs 5ac95873e042ceb6cafe700e792c51955c2f73fff71e9cd3d9d087c11855a098.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

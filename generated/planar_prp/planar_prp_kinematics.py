@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4095abf478422b7968032950618e4c92481bba8f2819e3c5f42bab3e922422da.
+Made from templates/kernel.py.j2; inputs 5ac95873e042ceb6cafe700e792c51955c2f73fff71e9cd3d9d087c11855a098.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

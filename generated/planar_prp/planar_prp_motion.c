@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs 7ea0eda28772e9cb8c485a3dd212e2a7f6a31eda199213a4db95592bf45730fe.
+ * Made from templates/kernel.c.j2; inputs 90c413d4585b8d14bc9fd494959f631d5d7c45fa61d6368df81f37df1e5e1654.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "7ea0eda28772e9cb8c485a3dd212e2a7f6a31eda199213a4db95592bf45730fe";
+const char planar_prp_motion_digest[] = "90c413d4585b8d14bc9fd494959f631d5d7c45fa61d6368df81f37df1e5e1654";
 #endif
 
 #define LANES 64
@@ -61,6 +61,13 @@ void CHAINRULE_NAME(planar_prp_tip_motion_batch)(ptrdiff_t count, char *const *a
                 chainrule_gather(second, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[10], steps[10]);
             if (start == 0 || steps[4] != 0) /* the same for all: once */
                 chainrule_gather(third, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[11], steps[11]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 10, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
             planar_prp_tip_motion_tile(q, parameters, rates, second, third, derivatives, path);
             chainrule_scatter(derivatives, 64, taken, args[5] + start * steps[5], steps[5], 5, 2, steps[12], steps[13], streaming);
             chainrule_scatter(path, 64, taken, args[6] + start * steps[6], steps[6], 1, 4, 4 * steps[14], steps[14], streaming);

@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 7ea0eda28772e9cb8c485a3dd212e2a7f6a31eda199213a4db95592bf45730fe.
+ * Made from templates/kernel.h.j2; inputs 90c413d4585b8d14bc9fd494959f631d5d7c45fa61d6368df81f37df1e5e1654.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

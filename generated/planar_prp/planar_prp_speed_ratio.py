@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fa5afdc0b920fe40c37df1892f718b1b5b3d4b9d11133daa612f19557edf1977.
+Made from templates/kernel.py.j2; inputs f0d177ce47f1d1dd8cc29e97296eb16d2ee155e22a7353e10f0c757f61d8d9af.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 40e2bac2ab3392dd2a425571aeae3aaad78a3a213cb3de588097082aa2e464d6.
+Made from templates/kernel.py.j2; inputs 9aabfe3f55b9b2765acc98f8340c4cf52effb499f9e0a28a6c8df7163ce311a3.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

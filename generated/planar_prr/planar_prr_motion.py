@@ -1,6 +1,6 @@
 """motion of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4e5a41a7c890eccf64cc8092fa11670412a82e8609982a93cbeca73d4413119d.
+Made from templates/kernel.py.j2; inputs e8519cf5d43101372b224f2173654133fec06846e21f19cdd79fc7c5994bcdff.
 203 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

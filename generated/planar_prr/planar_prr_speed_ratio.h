@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.h: speed ratio of planar_prr.
- * Made from templates/kernel.h.j2; inputs 72be3cd7e4d4a5c9dfebfa61be5faed39c62b768a58427d4d03510fca01e900d.
+ * Made from templates/kernel.h.j2; inputs 0a358a9007422e4c4de1113b2757bf7e3a263144ada99c911dacc7578c1a9140.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

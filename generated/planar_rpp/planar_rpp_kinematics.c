@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs d9e0af26032501aa03fc6c8c5097bac4f4d651073d120ab77c093173856a7450.
+ * Made from templates/kernel.c.j2; inputs 4e1160e40b48dd590383dbd09e4158a4af9e8c7e73ea78271491b0f66aa017dc.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "d9e0af26032501aa03fc6c8c5097bac4f4d651073d120ab77c093173856a7450";
+const char planar_rpp_kinematics_digest[] = "4e1160e40b48dd590383dbd09e4158a4af9e8c7e73ea78271491b0f66aa017dc";
 #endif
 
 #define LANES 64
@@ -47,6 +47,9 @@ void CHAINRULE_NAME(planar_rpp_position_batch)(ptrdiff_t count, char *const *arg
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
             planar_rpp_position_tile(q, parameters, position);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5], streaming);
         }
@@ -77,6 +80,9 @@ void CHAINRULE_NAME(planar_rpp_pose_batch)(ptrdiff_t count, char *const *args, c
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
             planar_rpp_pose_tile(q, parameters, pose);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -107,6 +113,9 @@ void CHAINRULE_NAME(planar_rpp_jacobian_position_batch)(ptrdiff_t count, char *c
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
             planar_rpp_jacobian_position_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
@@ -137,6 +146,9 @@ void CHAINRULE_NAME(planar_rpp_jacobian_x_alpha_batch)(ptrdiff_t count, char *co
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
             planar_rpp_jacobian_x_alpha_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
@@ -167,6 +179,9 @@ void CHAINRULE_NAME(planar_rpp_jacobian_pose_batch)(ptrdiff_t count, char *const
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
             planar_rpp_jacobian_pose_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -199,6 +214,10 @@ void CHAINRULE_NAME(planar_rpp_kinematics_position_batch)(ptrdiff_t count, char 
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
             planar_rpp_kinematics_position_tile(q, parameters, position, jacobian);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8], streaming);
@@ -232,6 +251,10 @@ void CHAINRULE_NAME(planar_rpp_kinematics_x_alpha_batch)(ptrdiff_t count, char *
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
             planar_rpp_kinematics_x_alpha_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], streaming);
@@ -265,6 +288,10 @@ void CHAINRULE_NAME(planar_rpp_kinematics_pose_batch)(ptrdiff_t count, char *con
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 9, taken, 1);
             planar_rpp_kinematics_pose_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9], streaming);

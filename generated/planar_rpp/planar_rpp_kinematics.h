@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.h: kinematics of planar_rpp.
- * Made from templates/kernel.h.j2; inputs d9e0af26032501aa03fc6c8c5097bac4f4d651073d120ab77c093173856a7450.
+ * Made from templates/kernel.h.j2; inputs 4e1160e40b48dd590383dbd09e4158a4af9e8c7e73ea78271491b0f66aa017dc.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpp_motion.h: motion of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 107c9f7e11e61fb29f755e3e1f4280c709ac31cf4abc3228c33c1a7890aa9ca8.
+ * Made from templates/kernel.h.j2; inputs 453b54afe4d46290bf0bf0fa5941964b4abd2e3bc218f974e86625e59b32884b.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

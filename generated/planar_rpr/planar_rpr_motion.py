@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 16e13513ae96a30d256bb28d947444ee4fa481baf78baf23c9b642b21f799324.
+Made from templates/kernel.py.j2; inputs be6ebc6c703c8c66935c4c1df4ef34985b88555a8dc337c32ab60aa9886f92a3.
 274 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 2916af4ccc7b3b8f9e8e5ddc8e7e47cc5221052807521019c9a145139ae1e794.
+ * Made from templates/kernel.c.j2; inputs c405e0efb964195cb7130a3e1b309f7e15e29000de15f493fe9b46359b1b6b98.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "2916af4ccc7b3b8f9e8e5ddc8e7e47cc5221052807521019c9a145139ae1e794";
+const char planar_rpr_speed_ratio_digest[] = "c405e0efb964195cb7130a3e1b309f7e15e29000de15f493fe9b46359b1b6b98";
 #endif
 
 #define LANES 64
@@ -71,6 +71,19 @@ void CHAINRULE_NAME(planar_rpr_speed_ratio_terms_1_batch)(ptrdiff_t count, char 
                 chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
+            chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
+            chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
+            chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
+            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
             planar_rpr_speed_ratio_terms_1_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
             chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
             chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
@@ -133,6 +146,19 @@ void CHAINRULE_NAME(planar_rpr_speed_ratio_terms_2_batch)(ptrdiff_t count, char 
                 chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
+            chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
+            chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
+            chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
+            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
             planar_rpr_speed_ratio_terms_2_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
             chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
             chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
@@ -195,6 +221,19 @@ void CHAINRULE_NAME(planar_rpr_speed_ratio_terms_3_batch)(ptrdiff_t count, char 
                 chainrule_gather(tangent, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[15], steps[15]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[16], steps[16]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
+            chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
+            chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
+            chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
+            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
             planar_rpr_speed_ratio_terms_3_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
             chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
             chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
@@ -261,6 +300,20 @@ void CHAINRULE_NAME(planar_rpr_speed_ratio_rates_batch)(ptrdiff_t count, char *c
                 chainrule_gather(curvature, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[17], steps[17]);
             if (start == 0 || steps[4] != 0) /* the same for all: once */
                 chainrule_gather(leading, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[18], steps[18]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
+            chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 2, taken, 1);
+            chainrule_fetch(args[8] + start * steps[8], steps[8], 2, taken, 1);
+            chainrule_fetch(args[9] + start * steps[9], steps[9], 5, taken, 1);
+            chainrule_fetch(args[10] + start * steps[10], steps[10], 3, taken, 1);
+            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            chainrule_fetch(args[12] + start * steps[12], steps[12], 3, taken, 1);
+            chainrule_fetch(args[13] + start * steps[13], steps[13], 3, taken, 1);
             planar_rpr_speed_ratio_rates_tile(q, parameters, tangent, curvature, leading, rates, ratios, tracked, tracked_rate, verdict, parabola, slack, least, null);
             chainrule_scatter(rates, 64, taken, args[5] + start * steps[5], steps[5], 2, 3, steps[19], steps[20], streaming);
             chainrule_scatter(ratios, 64, taken, args[6] + start * steps[6], steps[6], 2, 2, steps[21], steps[22], streaming);

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 2916af4ccc7b3b8f9e8e5ddc8e7e47cc5221052807521019c9a145139ae1e794.
+ * Made from templates/kernel.h.j2; inputs c405e0efb964195cb7130a3e1b309f7e15e29000de15f493fe9b46359b1b6b98.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2916af4ccc7b3b8f9e8e5ddc8e7e47cc5221052807521019c9a145139ae1e794.
+Made from templates/kernel.py.j2; inputs c405e0efb964195cb7130a3e1b309f7e15e29000de15f493fe9b46359b1b6b98.
 1003 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

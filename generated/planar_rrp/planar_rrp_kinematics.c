@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs d2feeca3cd9dcebf901396f26bddd2270d4cf2f5421bc2c88bbd5a86edd13cdb.
+ * Made from templates/kernel.c.j2; inputs 9e0c1a5bd25a1299da69d5de1c6ee90c478241ef4f3757aa03976ebace534d8c.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "d2feeca3cd9dcebf901396f26bddd2270d4cf2f5421bc2c88bbd5a86edd13cdb";
+const char planar_rrp_kinematics_digest[] = "9e0c1a5bd25a1299da69d5de1c6ee90c478241ef4f3757aa03976ebace534d8c";
 #endif
 
 #define LANES 64
@@ -47,6 +47,9 @@ void CHAINRULE_NAME(planar_rrp_position_batch)(ptrdiff_t count, char *const *arg
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
             planar_rrp_position_tile(q, parameters, position);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5], streaming);
         }
@@ -77,6 +80,9 @@ void CHAINRULE_NAME(planar_rrp_pose_batch)(ptrdiff_t count, char *const *args, c
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
             planar_rrp_pose_tile(q, parameters, pose);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -107,6 +113,9 @@ void CHAINRULE_NAME(planar_rrp_jacobian_position_batch)(ptrdiff_t count, char *c
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
             planar_rrp_jacobian_position_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
@@ -137,6 +146,9 @@ void CHAINRULE_NAME(planar_rrp_jacobian_x_alpha_batch)(ptrdiff_t count, char *co
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
             planar_rrp_jacobian_x_alpha_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
@@ -167,6 +179,9 @@ void CHAINRULE_NAME(planar_rrp_jacobian_pose_batch)(ptrdiff_t count, char *const
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
             planar_rrp_jacobian_pose_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -199,6 +214,10 @@ void CHAINRULE_NAME(planar_rrp_kinematics_position_batch)(ptrdiff_t count, char 
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
             planar_rrp_kinematics_position_tile(q, parameters, position, jacobian);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8], streaming);
@@ -232,6 +251,10 @@ void CHAINRULE_NAME(planar_rrp_kinematics_x_alpha_batch)(ptrdiff_t count, char *
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
             planar_rrp_kinematics_x_alpha_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], streaming);
@@ -265,6 +288,10 @@ void CHAINRULE_NAME(planar_rrp_kinematics_pose_batch)(ptrdiff_t count, char *con
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 9, taken, 1);
             planar_rrp_kinematics_pose_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9], streaming);

@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d2feeca3cd9dcebf901396f26bddd2270d4cf2f5421bc2c88bbd5a86edd13cdb.
+Made from templates/kernel.py.j2; inputs 9e0c1a5bd25a1299da69d5de1c6ee90c478241ef4f3757aa03976ebace534d8c.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

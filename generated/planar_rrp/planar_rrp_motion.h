@@ -1,5 +1,5 @@
 /* planar_rrp_motion.h: motion of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 78d0baebd539e3b77b97ee3221d2ec14863274788aa36509443417a6c8701547.
+ * Made from templates/kernel.h.j2; inputs 0af8a508b84dac665cbf1a34f2dea2f77200c102d384608332ba51178619dc4d.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

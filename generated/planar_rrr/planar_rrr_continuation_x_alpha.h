@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 44d62036ae6123bca874c29f26141ee23573e84998bf556ff6853c748b112fe4.
+ * Made from templates/kernel.h.j2; inputs 3105a4969e3504c9000245a71f1b01b89f1f4561cb2a3b933a80c84c96cdd979.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

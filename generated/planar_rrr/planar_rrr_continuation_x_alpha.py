@@ -1,6 +1,6 @@
 """continuation x alpha of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 44d62036ae6123bca874c29f26141ee23573e84998bf556ff6853c748b112fe4.
+Made from templates/kernel.py.j2; inputs 3105a4969e3504c9000245a71f1b01b89f1f4561cb2a3b933a80c84c96cdd979.
 102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 282bd6f97fc1cf72c705b3106f32ebc96ce9007fe1f7c185333285e0aa1b878e.
+ * Made from templates/kernel.h.j2; inputs 80cf6a850973bdc4a2e13491a068f4e37701657458de207830d53bae88ac8ec5.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

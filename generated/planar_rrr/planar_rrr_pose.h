@@ -1,5 +1,5 @@
 /* planar_rrr_pose.h: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 8320810b7729555e9b67e238070839162807681792000a4eb29f081d206e712c.
+ * Made from templates/kernel.h.j2; inputs 187f408c387d4d0e0214cc2ddfb764be1a7a3b5ad5ef6e0795901f7b3e564b2b.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs d100d4c29c8b7f4ac871eadb11ac603c07973416116f1f183334fd9f7e161c96.
+ * Made from templates/kernel.c.j2; inputs 8367c3df55d9ced04a449ff381a8e62f8c6e626a144bebf00ac93a608f52be9a.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "d100d4c29c8b7f4ac871eadb11ac603c07973416116f1f183334fd9f7e161c96";
+const char planar_rrr_self_motion_digest[] = "8367c3df55d9ced04a449ff381a8e62f8c6e626a144bebf00ac93a608f52be9a";
 #endif
 
 #define LANES 64
@@ -53,6 +53,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_gaps_position_batch)(ptrdiff_t count,
                 chainrule_gather(sums, 64, taken, args[1] + start * steps[1], steps[1], 1, 8, 8 * steps[6], steps[6]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
             planar_rrr_self_motion_gaps_position_tile(reach, sums, parameters, gaps, pattern);
             chainrule_scatter(gaps, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
             chainrule_scatter(pattern, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
@@ -92,6 +97,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_speed_position_batch)(ptrdiff_t count
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[7], steps[7]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
             planar_rrr_self_motion_speed_position_tile(node, reach, sums, parameters, speed);
             chainrule_scatter(speed, 64, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -130,6 +140,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_turn_position_batch)(ptrdiff_t count,
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[7], steps[7]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
             planar_rrr_self_motion_turn_position_tile(node, reach, sums, parameters, phi);
             chainrule_scatter(phi, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -174,6 +189,14 @@ void CHAINRULE_NAME(planar_rrr_self_motion_point_position_batch)(ptrdiff_t count
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[10], steps[10]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[11], steps[11]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
             planar_rrr_self_motion_point_position_tile(turn, reach, sums, parameters, q, rates, manipulability, speed);
             chainrule_scatter(q, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[12], steps[12], streaming);
             chainrule_scatter(rates, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[13], steps[13], streaming);
@@ -215,6 +238,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_phase_position_batch)(ptrdiff_t count
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[7], steps[7]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
             planar_rrr_self_motion_phase_position_tile(halves, reach, sums, parameters, phase);
             chainrule_scatter(phase, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -249,6 +277,10 @@ void CHAINRULE_NAME(planar_rrr_self_motion_extremes_position_batch)(ptrdiff_t co
                 chainrule_gather(sums, 64, taken, args[1] + start * steps[1], steps[1], 1, 8, 8 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
             planar_rrr_self_motion_extremes_position_tile(reach, sums, parameters, extremes);
             chainrule_scatter(extremes, 64, taken, args[3] + start * steps[3], steps[3], 3, 2, steps[7], steps[8], streaming);
         }
@@ -285,6 +317,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_stops_position_batch)(ptrdiff_t count
                 chainrule_gather(reach, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[6], steps[6]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
             planar_rrr_self_motion_stops_position_tile(stops, reach, parameters, q, radicands);
             chainrule_scatter(q, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], streaming);
             chainrule_scatter(radicands, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[10], steps[10], streaming);
@@ -322,6 +359,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_gaps_x_alpha_batch)(ptrdiff_t count, 
                 chainrule_gather(sums, 64, taken, args[1] + start * steps[1], steps[1], 1, 8, 8 * steps[6], steps[6]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
             planar_rrr_self_motion_gaps_x_alpha_tile(reach, sums, parameters, gaps, pattern);
             chainrule_scatter(gaps, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
             chainrule_scatter(pattern, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
@@ -361,6 +403,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_speed_x_alpha_batch)(ptrdiff_t count,
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[7], steps[7]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
             planar_rrr_self_motion_speed_x_alpha_tile(node, reach, sums, parameters, speed);
             chainrule_scatter(speed, 64, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -399,6 +446,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_turn_x_alpha_batch)(ptrdiff_t count, 
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[7], steps[7]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
             planar_rrr_self_motion_turn_x_alpha_tile(node, reach, sums, parameters, phi);
             chainrule_scatter(phi, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -443,6 +495,14 @@ void CHAINRULE_NAME(planar_rrr_self_motion_point_x_alpha_batch)(ptrdiff_t count,
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[10], steps[10]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[11], steps[11]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
             planar_rrr_self_motion_point_x_alpha_tile(turn, reach, sums, parameters, q, rates, manipulability, speed);
             chainrule_scatter(q, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[12], steps[12], streaming);
             chainrule_scatter(rates, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[13], steps[13], streaming);
@@ -484,6 +544,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_phase_x_alpha_batch)(ptrdiff_t count,
                 chainrule_gather(sums, 64, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[7], steps[7]);
             if (start == 0 || steps[3] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 2, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
             planar_rrr_self_motion_phase_x_alpha_tile(halves, reach, sums, parameters, phase);
             chainrule_scatter(phase, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -518,6 +583,10 @@ void CHAINRULE_NAME(planar_rrr_self_motion_extremes_x_alpha_batch)(ptrdiff_t cou
                 chainrule_gather(sums, 64, taken, args[1] + start * steps[1], steps[1], 1, 8, 8 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
             planar_rrr_self_motion_extremes_x_alpha_tile(reach, sums, parameters, extremes);
             chainrule_scatter(extremes, 64, taken, args[3] + start * steps[3], steps[3], 3, 2, steps[7], steps[8], streaming);
         }
@@ -554,6 +623,11 @@ void CHAINRULE_NAME(planar_rrr_self_motion_stops_x_alpha_batch)(ptrdiff_t count,
                 chainrule_gather(reach, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[6], steps[6]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
             planar_rrr_self_motion_stops_x_alpha_tile(stops, reach, parameters, q, radicands);
             chainrule_scatter(q, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], streaming);
             chainrule_scatter(radicands, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[10], steps[10], streaming);

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.h: self motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs d100d4c29c8b7f4ac871eadb11ac603c07973416116f1f183334fd9f7e161c96.
+ * Made from templates/kernel.h.j2; inputs 8367c3df55d9ced04a449ff381a8e62f8c6e626a144bebf00ac93a608f52be9a.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

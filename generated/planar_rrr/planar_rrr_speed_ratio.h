@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.h: speed ratio of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 4c19858aedb4290a5bb6bfd05dfd9ff1838c921d5441c38906d2139933aa0730.
+ * Made from templates/kernel.h.j2; inputs b76c5d14fbb3cd64e34d61bfeaf658f4322723883d7775c5b2bf5d4743011bd1.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4c19858aedb4290a5bb6bfd05dfd9ff1838c921d5441c38906d2139933aa0730.
+Made from templates/kernel.py.j2; inputs b76c5d14fbb3cd64e34d61bfeaf658f4322723883d7775c5b2bf5d4743011bd1.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

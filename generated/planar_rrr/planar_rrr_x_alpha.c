@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.c: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 8320810b7729555e9b67e238070839162807681792000a4eb29f081d206e712c.
+ * Made from templates/kernel.c.j2; inputs 187f408c387d4d0e0214cc2ddfb764be1a7a3b5ad5ef6e0795901f7b3e564b2b.
  * 256 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_x_alpha_digest[] = "8320810b7729555e9b67e238070839162807681792000a4eb29f081d206e712c";
+const char planar_rrr_x_alpha_digest[] = "187f408c387d4d0e0214cc2ddfb764be1a7a3b5ad5ef6e0795901f7b3e564b2b";
 #endif
 
 #define LANES 64
@@ -47,6 +47,9 @@ void CHAINRULE_NAME(planar_rrr_manipulability_x_alpha_batch)(ptrdiff_t count, ch
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
             planar_rrr_manipulability_x_alpha_tile(q, parameters, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -83,6 +86,12 @@ void CHAINRULE_NAME(planar_rrr_manipulability_gradient_x_alpha_batch)(ptrdiff_t 
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[6], steps[6]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
             planar_rrr_manipulability_gradient_x_alpha_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
@@ -116,6 +125,9 @@ void CHAINRULE_NAME(planar_rrr_minors_x_alpha_batch)(ptrdiff_t count, char *cons
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             planar_rrr_minors_x_alpha_tile(q, parameters, minors);
             chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -146,6 +158,9 @@ void CHAINRULE_NAME(planar_rrr_null_vector_x_alpha_batch)(ptrdiff_t count, char 
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             planar_rrr_null_vector_x_alpha_tile(q, parameters, null_vector);
             chainrule_scatter(null_vector, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -176,6 +191,9 @@ void CHAINRULE_NAME(planar_rrr_null_projector_x_alpha_batch)(ptrdiff_t count, ch
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
             planar_rrr_null_projector_x_alpha_tile(q, parameters, null_projector);
             chainrule_scatter(null_projector, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }

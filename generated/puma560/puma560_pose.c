@@ -1,5 +1,5 @@
 /* puma560_pose.c: manipulability (pose) of puma560.
- * Made from templates/kernel.c.j2; inputs 0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07.
+ * Made from templates/kernel.c.j2; inputs da9e8cf1bb9c816d7dd2a3ff46a41c5b39be96d4fbdb663cdf9a7fd476bc7447.
  * 357 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_pose_digest[] = "0430fc572afe5b9a715810a53e224c2d20620f053f9119e37d5cd031f49c7a07";
+const char puma560_pose_digest[] = "da9e8cf1bb9c816d7dd2a3ff46a41c5b39be96d4fbdb663cdf9a7fd476bc7447";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(puma560_manipulability_pose_batch)(ptrdiff_t count, char *co
             chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
             puma560_manipulability_pose_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -75,6 +77,11 @@ void CHAINRULE_NAME(puma560_manipulability_gradient_pose_batch)(ptrdiff_t count,
             chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
             puma560_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
@@ -104,6 +111,8 @@ void CHAINRULE_NAME(puma560_minors_pose_batch)(ptrdiff_t count, char *const *arg
             chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
             puma560_minors_pose_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], streaming);
         }

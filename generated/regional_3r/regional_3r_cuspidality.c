@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 4f6236ecf9e0acd9b9a817c402d83c867c91647ca56bfa2769fe1431998421ec.
+ * Made from templates/kernel.c.j2; inputs 7ad5a657465668751651610d4beabefa45e4479bdca2abee653ab00ab67c4669.
  * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "4f6236ecf9e0acd9b9a817c402d83c867c91647ca56bfa2769fe1431998421ec";
+const char regional_3r_cuspidality_digest[] = "7ad5a657465668751651610d4beabefa45e4479bdca2abee653ab00ab67c4669";
 #endif
 
 #define LANES 32
@@ -47,6 +47,9 @@ void CHAINRULE_NAME(regional_3r_quartic_batch)(ptrdiff_t count, char *const *arg
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 5, taken, 1);
             regional_3r_quartic_tile(parameters, target, quartic);
             chainrule_scatter(quartic, 32, taken, args[2] + start * steps[2], steps[2], 1, 5, 5 * steps[5], steps[5], streaming);
         }
@@ -73,6 +76,8 @@ void CHAINRULE_NAME(regional_3r_cusp_polynomial_batch)(ptrdiff_t count, char *co
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 13, 13 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 13, taken, 1);
             regional_3r_cusp_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 13, 13 * steps[3], steps[3], streaming);
         }
@@ -99,6 +104,8 @@ void CHAINRULE_NAME(regional_3r_cusp_polynomial_right_angle_batch)(ptrdiff_t cou
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
             regional_3r_cusp_polynomial_right_angle_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
         }
@@ -125,6 +132,8 @@ void CHAINRULE_NAME(regional_3r_aspect_polynomial_batch)(ptrdiff_t count, char *
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 9, taken, 1);
             regional_3r_aspect_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], streaming);
         }
@@ -155,6 +164,9 @@ void CHAINRULE_NAME(regional_3r_determinant_terms_batch)(ptrdiff_t count, char *
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             regional_3r_determinant_terms_tile(parameters, elbow, terms);
             chainrule_scatter(terms, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -189,6 +201,10 @@ void CHAINRULE_NAME(regional_3r_determinant_batch)(ptrdiff_t count, char *const 
                 chainrule_gather(shoulder, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
             regional_3r_determinant_tile(parameters, shoulder, elbow, determinant);
             chainrule_scatter(determinant, 32, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -215,6 +231,8 @@ void CHAINRULE_NAME(regional_3r_second_axis_batch)(ptrdiff_t count, char *const 
             chainrule_scatter(polynomial, 1, 1, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
             regional_3r_second_axis_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
         }
@@ -243,6 +261,9 @@ void CHAINRULE_NAME(regional_3r_quartic_invariants_batch)(ptrdiff_t count, char 
             chainrule_scatter(discriminating, 1, 1, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], 0);
         } else {
             chainrule_gather(coefficients, 32, taken, args[0] + start * steps[0], steps[0], 1, 5, 5 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 5, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             regional_3r_quartic_invariants_tile(coefficients, invariants, discriminating);
             chainrule_scatter(invariants, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4], streaming);
             chainrule_scatter(discriminating, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
@@ -274,6 +295,9 @@ void CHAINRULE_NAME(regional_3r_triple_point_batch)(ptrdiff_t count, char *const
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             regional_3r_triple_point_tile(parameters, elbow, cusp);
             chainrule_scatter(cusp, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -304,6 +328,9 @@ void CHAINRULE_NAME(regional_3r_triple_point_right_angle_batch)(ptrdiff_t count,
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[3], steps[3]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
             regional_3r_triple_point_right_angle_tile(parameters, elbow, cusp);
             chainrule_scatter(cusp, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -338,6 +365,10 @@ void CHAINRULE_NAME(regional_3r_image_batch)(ptrdiff_t count, char *const *args,
                 chainrule_gather(shoulder, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
             regional_3r_image_tile(parameters, shoulder, elbow, target);
             chainrule_scatter(target, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
         }
@@ -364,6 +395,8 @@ void CHAINRULE_NAME(regional_3r_conic_terms_batch)(ptrdiff_t count, char *const 
             chainrule_scatter(conic, 1, 1, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], 0);
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 30, taken, 1);
             regional_3r_conic_terms_tile(parameters, conic);
             chainrule_scatter(conic, 32, taken, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], streaming);
         }
@@ -398,6 +431,10 @@ void CHAINRULE_NAME(regional_3r_shoulder_batch)(ptrdiff_t count, char *const *ar
                 chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
             regional_3r_shoulder_tile(parameters, target, elbow, ratio);
             chainrule_scatter(ratio, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -432,6 +469,10 @@ void CHAINRULE_NAME(regional_3r_unturned_batch)(ptrdiff_t count, char *const *ar
                 chainrule_gather(shoulder, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(elbow, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
             regional_3r_unturned_tile(parameters, shoulder, elbow, point);
             chainrule_scatter(point, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -464,6 +505,10 @@ void CHAINRULE_NAME(regional_3r_number_of_postures_batch)(ptrdiff_t count, char 
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[4], steps[4]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
             regional_3r_number_of_postures_tile(parameters, target, number, margin);
             chainrule_scatter(number, 32, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(margin, 32, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
@@ -505,6 +550,14 @@ void CHAINRULE_NAME(regional_3r_postures_batch)(ptrdiff_t count, char *const *ar
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[8], steps[8]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[9], steps[9]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
+            chainrule_fetch(args[5] + start * steps[5], steps[5], 4, taken, 1);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
             regional_3r_postures_tile(parameters, point, angles, room, closure, slope, number, margin);
             chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[10], steps[11], streaming);
             chainrule_scatter(room, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[12], steps[12], streaming);
@@ -544,6 +597,11 @@ void CHAINRULE_NAME(regional_3r_postures_intersecting_batch)(ptrdiff_t count, ch
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[5], steps[5]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 4, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
             regional_3r_postures_intersecting_tile(parameters, point, angles, closure, width);
             chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[7], steps[8], streaming);
             chainrule_scatter(closure, 32, taken, args[3] + start * steps[3], steps[3], 1, 4, 4 * steps[9], steps[9], streaming);
@@ -580,6 +638,11 @@ void CHAINRULE_NAME(regional_3r_postures_parallel_batch)(ptrdiff_t count, char *
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[5], steps[5]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 4, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
             regional_3r_postures_parallel_tile(parameters, point, angles, closure, width);
             chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[7], steps[8], streaming);
             chainrule_scatter(closure, 32, taken, args[3] + start * steps[3], steps[3], 1, 4, 4 * steps[9], steps[9], streaming);
@@ -616,6 +679,11 @@ void CHAINRULE_NAME(regional_3r_sweep_conditions_batch)(ptrdiff_t count, char *c
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[5], steps[5]);
             if (start == 0 || steps[1] != 0) /* the same for all: once */
                 chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 5, taken, 1);
             regional_3r_sweep_conditions_tile(parameters, target, U, V, W);
             chainrule_scatter(U, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[7], steps[7], streaming);
             chainrule_scatter(V, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
@@ -654,6 +722,11 @@ void CHAINRULE_NAME(regional_3r_sweep_elbow_batch)(ptrdiff_t count, char *const 
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[6], steps[6]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(target, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
             regional_3r_sweep_elbow_tile(parameters, elbow, target, mismatch, point);
             chainrule_scatter(mismatch, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[8], steps[8], streaming);
             chainrule_scatter(point, 32, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
@@ -689,6 +762,10 @@ void CHAINRULE_NAME(regional_3r_sweep_base_batch)(ptrdiff_t count, char *const *
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(turned, 32, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
             regional_3r_sweep_base_tile(parameters, elbow, turned, xy);
             chainrule_scatter(xy, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
         }
@@ -725,6 +802,11 @@ void CHAINRULE_NAME(regional_3r_spherical_orientations_batch)(ptrdiff_t count, c
                 chainrule_gather(third, 32, taken, args[1] + start * steps[1], steps[1], 3, 3, steps[7], steps[8]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(wanted, 32, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[9], steps[10]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 9, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 9, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
             regional_3r_spherical_orientations_tile(second, third, wanted, angles, share);
             chainrule_scatter(angles, 32, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[11], steps[12], streaming);
             chainrule_scatter(share, 32, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[13], steps[13], streaming);
@@ -762,6 +844,11 @@ void CHAINRULE_NAME(regional_3r_spherical_elbow_batch)(ptrdiff_t count, char *co
                 chainrule_gather(behind, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
             if (start == 0 || steps[2] != 0) /* the same for all: once */
                 chainrule_gather(square, 32, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[7], steps[7]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 1, taken, 0);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
             regional_3r_spherical_elbow_tile(before, behind, square, angles, share);
             chainrule_scatter(angles, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[8], steps[8], streaming);
             chainrule_scatter(share, 32, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[9], steps[9], streaming);

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4f6236ecf9e0acd9b9a817c402d83c867c91647ca56bfa2769fe1431998421ec.
+Made from templates/kernel.py.j2; inputs 7ad5a657465668751651610d4beabefa45e4479bdca2abee653ab00ab67c4669.
 5743 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs bd324c6c0da2cbc9ce438db28e378ed3a365d09f7cc8a5ebc8f9a98d9c88fd58.
+ * Made from templates/kernel.c.j2; inputs 34d6ab432c738f875c11eb5a8338c30bf7058ab881d2109df7469cd846771974.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "bd324c6c0da2cbc9ce438db28e378ed3a365d09f7cc8a5ebc8f9a98d9c88fd58";
+const char sanchez_8r_dynamics_digest[] = "34d6ab432c738f875c11eb5a8338c30bf7058ab881d2109df7469cd846771974";
 #endif
 
 #define LANES 32
@@ -63,6 +63,13 @@ void CHAINRULE_NAME(sanchez_8r_inverse_dynamics_batch)(ptrdiff_t count, char *co
                 chainrule_gather(gravity, 32, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[12], steps[12]);
             if (start == 0 || steps[5] != 0) /* the same for all: once */
                 chainrule_gather(wrench, 32, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[13], steps[13]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 80, taken, 0);
+            chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
+            chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 6, taken, 0);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 8, taken, 1);
             sanchez_8r_inverse_dynamics_tile(q, rates, accelerations, inertias, gravity, wrench, torque);
             chainrule_scatter(torque, 32, taken, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[14], steps[14], streaming);
         }

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.h: dynamics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs bd324c6c0da2cbc9ce438db28e378ed3a365d09f7cc8a5ebc8f9a98d9c88fd58.
+ * Made from templates/kernel.h.j2; inputs 34d6ab432c738f875c11eb5a8338c30bf7058ab881d2109df7469cd846771974.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9.
+ * Made from templates/kernel.c.j2; inputs 661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9";
+const char sanchez_8r_kinematics_digest[] = "661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a";
 #endif
 
 #define LANES 32
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(sanchez_8r_position_batch)(ptrdiff_t count, char *const *arg
             chainrule_scatter(position, 1, 1, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
             sanchez_8r_position_tile(q, position);
             chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -69,6 +71,8 @@ void CHAINRULE_NAME(sanchez_8r_pose_batch)(ptrdiff_t count, char *const *args, c
             chainrule_scatter(pose, 1, 1, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
             sanchez_8r_pose_tile(q, pose);
             chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -95,6 +99,8 @@ void CHAINRULE_NAME(sanchez_8r_jacobian_position_batch)(ptrdiff_t count, char *c
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 24, taken, 1);
             sanchez_8r_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4], streaming);
         }
@@ -121,6 +127,8 @@ void CHAINRULE_NAME(sanchez_8r_jacobian_pose_batch)(ptrdiff_t count, char *const
             chainrule_scatter(jacobian, 1, 1, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 48, taken, 1);
             sanchez_8r_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4], streaming);
         }
@@ -149,6 +157,9 @@ void CHAINRULE_NAME(sanchez_8r_kinematics_position_batch)(ptrdiff_t count, char 
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 24, taken, 1);
             sanchez_8r_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6], streaming);
@@ -178,6 +189,9 @@ void CHAINRULE_NAME(sanchez_8r_kinematics_pose_batch)(ptrdiff_t count, char *con
             chainrule_scatter(jacobian, 1, 1, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7], 0);
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 48, taken, 1);
             sanchez_8r_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7], streaming);

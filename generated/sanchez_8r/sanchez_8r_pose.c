@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9.
+ * Made from templates/kernel.c.j2; inputs 661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a.
  * 2947 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "a5ccecea9775af35d82ca65a7e7a9cb759f64c67ce49118a25edff203d1f45b9";
+const char sanchez_8r_pose_digest[] = "661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a";
 #endif
 
 #define LANES 16
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_pose_batch)(ptrdiff_t count, char 
             chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
             sanchez_8r_manipulability_pose_tile(q, manipulability);
             chainrule_scatter(manipulability, 16, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -75,6 +77,11 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_pose_batch)(ptrdiff_t cou
             chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 8, 8 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 8, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 8, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 8, taken, 1);
             sanchez_8r_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 16, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 16, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6], streaming);
@@ -104,6 +111,8 @@ void CHAINRULE_NAME(sanchez_8r_minors_pose_batch)(ptrdiff_t count, char *const *
             chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 28, taken, 1);
             sanchez_8r_minors_pose_tile(q, minors);
             chainrule_scatter(minors, 16, taken, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3], streaming);
         }
@@ -130,6 +139,8 @@ void CHAINRULE_NAME(sanchez_8r_null_projector_pose_batch)(ptrdiff_t count, char 
             chainrule_scatter(null_projector, 1, 1, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], 0);
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 64, taken, 1);
             sanchez_8r_null_projector_pose_tile(q, null_projector);
             chainrule_scatter(null_projector, 16, taken, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], streaming);
         }

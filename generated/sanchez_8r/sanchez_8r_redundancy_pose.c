@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 4cd698296cccda82c5e8f4fbed88ce41fb090a12775a90db398c3b0ed09d39d7.
+ * Made from templates/kernel.c.j2; inputs 7618cbecc1cd912562cb04f95cba6c81f6e0bb67538e870f45c23ac3266aedca.
  * 2941 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "4cd698296cccda82c5e8f4fbed88ce41fb090a12775a90db398c3b0ed09d39d7";
+const char sanchez_8r_redundancy_pose_digest[] = "7618cbecc1cd912562cb04f95cba6c81f6e0bb67538e870f45c23ac3266aedca";
 #endif
 
 #define LANES 8
@@ -71,6 +71,17 @@ void CHAINRULE_NAME(sanchez_8r_step_pose_batch)(ptrdiff_t count, char *const *ar
                 chainrule_gather(joints, 8, taken, args[4] + start * steps[4], steps[4], 4, 8, steps[16], steps[17]);
             if (start == 0 || steps[5] != 0) /* the same for all: once */
                 chainrule_gather(settings, 8, taken, args[5] + start * steps[5], steps[5], 1, 12, 12 * steps[18], steps[18]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
+            chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 16, taken, 0);
+            chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 6, taken, 0);
+            chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 8, taken, 0);
+            chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 32, taken, 0);
+            chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 12, taken, 0);
+            chainrule_fetch(args[6] + start * steps[6], steps[6], 8, taken, 1);
+            chainrule_fetch(args[7] + start * steps[7], steps[7], 8, taken, 1);
+            chainrule_fetch(args[8] + start * steps[8], steps[8], 1, taken, 1);
+            chainrule_fetch(args[9] + start * steps[9], steps[9], 6, taken, 1);
+            chainrule_fetch(args[10] + start * steps[10], steps[10], 8, taken, 1);
             sanchez_8r_step_pose_tile(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
             chainrule_scatter(q_next, 8, taken, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[19], steps[19], streaming);
             chainrule_scatter(rates, 8, taken, args[7] + start * steps[7], steps[7], 1, 8, 8 * steps[20], steps[20], streaming);

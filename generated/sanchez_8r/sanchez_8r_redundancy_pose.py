@@ -1,6 +1,6 @@
 """redundancy pose of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4cd698296cccda82c5e8f4fbed88ce41fb090a12775a90db398c3b0ed09d39d7.
+Made from templates/kernel.py.j2; inputs 7618cbecc1cd912562cb04f95cba6c81f6e0bb67538e870f45c23ac3266aedca.
 2941 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_pose.c: manipulability (pose) of ur5e.
- * Made from templates/kernel.c.j2; inputs 385f6766d4351ccb0742c85ffc8d4ee1df6aae18a090c2ffc935f5d0ceac2603.
+ * Made from templates/kernel.c.j2; inputs d52f1e3bc25705f65c3ad08ac482c48c315af76d847f1f96ed3cbab003664034.
  * 217 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_pose_digest[] = "385f6766d4351ccb0742c85ffc8d4ee1df6aae18a090c2ffc935f5d0ceac2603";
+const char ur5e_pose_digest[] = "d52f1e3bc25705f65c3ad08ac482c48c315af76d847f1f96ed3cbab003664034";
 #endif
 
 #define LANES 64
@@ -43,6 +43,8 @@ void CHAINRULE_NAME(ur5e_manipulability_pose_batch)(ptrdiff_t count, char *const
             chainrule_scatter(manipulability, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
             ur5e_manipulability_pose_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -75,6 +77,11 @@ void CHAINRULE_NAME(ur5e_manipulability_gradient_pose_batch)(ptrdiff_t count, ch
             chainrule_scatter(inverse_root_gradient, 1, 1, args[4] + start * steps[4], steps[4], 1, 6, 6 * steps[8], steps[8], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
             ur5e_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
@@ -104,6 +111,8 @@ void CHAINRULE_NAME(ur5e_minors_pose_batch)(ptrdiff_t count, char *const *args, 
             chainrule_scatter(minors, 1, 1, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], 0);
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
+            chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
+            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
             ur5e_minors_pose_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], streaming);
         }
