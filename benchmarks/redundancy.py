@@ -1,4 +1,4 @@
-"""One step of a redundant arm along a task, as it is programmed elsewhere; and Pink's and PlaCo's step of the Panda."""
+"""One step of a redundant arm along a task, as it is programmed elsewhere; and PlaCo's and Pink's step of the Panda."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 import chainrule as cr
 from benchmarks.planar import Way
 from chainrule.description import Serial, Transform
-from chainrule.redundancy.step import Law, Stepper
+from chainrule.redundancy.step import Damping, Law, Stepper
 
 Array = NDArray[Any]
 
@@ -27,6 +27,10 @@ DIFFERENCES = 1e-5
 #: How many times slower PlaCo is meant to be, a step at a time and beside a batch.
 PLACO, PLACO_BATCH = 1.0, 50.0
 REST = np.array([0.3, -0.8, 0.1, -2.3, 0.2, 1.6, 0.8])
+#: The Panda's step goes to the target at once, as PlaCo's and Pink's do, whose errors are measured otherwise.
+AT_ONCE, NEARLY = 1.0 / DT, 1e-3
+#: PlaCo needs a regularization: the square of what damps ours in a row of its own.
+REGULARIZATION = 1e-6
 
 
 def questions(batch: int) -> Iterator[tuple[str, list[Way], str]]:
@@ -104,13 +108,26 @@ def exact(jacobian: Array, inverse: Array) -> Array:
     return manipulability(jacobian) * np.einsum("ir,ikr->k", inverse, change)
 
 
-def rates(jacobian: Array, inverse: Array, pose: Array, held: Array, velocity: Array, gradient: Array) -> Array:
-    """The law, from the gradient of H."""
+def scaled(jacobian: Array, gradient: Array) -> Array:
+    """What the law projects, from the gradient of H."""
+    factor: float = GAIN * -0.5 * manipulability(jacobian) ** -1.5
+    return factor * gradient
+
+
+def rates(
+    jacobian: Array,
+    inverse: Array,
+    pose: Array,
+    held: Array,
+    velocity: Array,
+    uphill: Array,
+    feedback: float = FEEDBACK,
+) -> Array:
+    """The law, with ``uphill`` to be projected."""
     turn = pose[:3, :3] @ held[:3, :3].T
     half = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
     error = np.concatenate([pose[:3, 3] - held[:3, 3], half / np.sqrt(1.0 + np.trace(turn))])
-    uphill = GAIN * -0.5 * manipulability(jacobian) ** -1.5 * gradient
-    projected: Array = inverse @ (velocity - FEEDBACK * error - jacobian @ uphill) + uphill
+    projected: Array = inverse @ (velocity - feedback * error - jacobian @ uphill) + uphill
     return projected
 
 
@@ -119,7 +136,9 @@ def by_differences(before: list[Array], tool: Array) -> Callable[[Array, Array, 
 
     def one(q: Array, held: Array, velocity: Array) -> Array:
         pose, jacobian = kinematics(before, tool, q)
-        return rates(jacobian, np.linalg.pinv(jacobian), pose, held, velocity, central(before, tool, q))
+        return rates(
+            jacobian, np.linalg.pinv(jacobian), pose, held, velocity, scaled(jacobian, central(before, tool, q))
+        )
 
     return one
 
@@ -130,7 +149,17 @@ def by_exact_gradient(before: list[Array], tool: Array) -> Callable[[Array, Arra
     def one(q: Array, held: Array, velocity: Array) -> Array:
         pose, jacobian = kinematics(before, tool, q)
         inverse = np.linalg.pinv(jacobian)
-        return rates(jacobian, inverse, pose, held, velocity, exact(jacobian, inverse))
+        return rates(jacobian, inverse, pose, held, velocity, scaled(jacobian, exact(jacobian, inverse)))
+
+    return one
+
+
+def by_pinv(before: list[Array], tool: Array) -> Callable[[Array, Array, Array], Array]:
+    """NumPy's pinv alone."""
+
+    def one(q: Array, held: Array, velocity: Array) -> Array:
+        pose, jacobian = kinematics(before, tool, q)
+        return rates(jacobian, np.linalg.pinv(jacobian), pose, held, velocity, np.zeros(len(q)), AT_ONCE)
 
     return one
 
@@ -150,7 +179,7 @@ def by_pinocchio(before: list[Array], tool: Array) -> Callable[[Array, Array, Ar
         pose = pin.updateFramePlacement(model, data, frame).homogeneous
         jacobian = pin.getFrameJacobian(model, data, frame, axes)
         inverse = np.linalg.pinv(jacobian)
-        return rates(jacobian, inverse, pose, held, velocity, exact(jacobian, inverse))
+        return rates(jacobian, inverse, pose, held, velocity, scaled(jacobian, exact(jacobian, inverse)))
 
     return one
 
@@ -284,35 +313,62 @@ def singles(q: Array, held: Array, velocity: Array) -> list[Way]:
 
 
 def of_panda(batch: int, least: float) -> tuple[list[Way], str]:
-    """The Panda's step towards a target; Pink and PlaCo, which solve a quadratic program, where they are installed."""
-    arm = cr.load("panda")
-    stepper = Stepper(arm, Law(feedback=(FEEDBACK, FEEDBACK)))
-    held = arm.pose(REST + 0.01)
-    if least == PLACO_BATCH:
-        q = REST + np.random.default_rng(2).uniform(-0.3, 0.3, (batch, arm.n))
-        kept = stepper(q, held, None, DT)
-        small = (q.astype(np.float32), held.astype(np.float32))
-        kept_small = stepper(*small, None, DT)
-        ways = [
-            Way("chainrule, Stepper", batch, lambda: stepper(q, held, None, DT, out=kept)),
-            Way("chainrule, Stepper, float32", batch, lambda: stepper(*small, None, DT, out=kept_small)),
-        ]
-    else:
-        loop = stepper.bind(DT)
-        loop.q[:], loop.held[:] = REST, held
-        ways = [
-            Way("chainrule, Stepper.bind", 1, loop),
-            Way("chainrule, Stepper", 1, lambda: stepper(REST, held, None, DT)),
-        ]
+    """The Panda's step to a target; Pink and PlaCo, which solve a quadratic program, where they are installed."""
+    arm, many = cr.load("panda"), least == PLACO_BATCH
+    held = arm.pose(REST + 0.001)  # near: the errors are lengths and angles here, a screw for Pink
+    q = REST + np.random.default_rng(2).uniform(-0.3, 0.3, (batch if many else 1, arm.n))
+    q[0] = REST
+    ways = []
+    damping = Damping("constant", REGULARIZATION**0.5)
+    for law, words in ((Law(feedback=(AT_ONCE,) * 2), ""), (Law({}, (AT_ONCE,) * 2, damping), ", damped as PlaCo's")):
+        stepper = Stepper(arm, law)
+        ways += of_batch(stepper, words, q, held) if many else of_one(stepper, words, held)
     notes = []
     for peer in (placo, pink):
         try:
             ways.append(peer(arm, held, least if peer is placo else 0.0))
         except ImportError as reason:
             notes.append(f"{peer.__name__} is left out: {reason}.")
-    one, parts = by_exact_gradient(*matrices(arm)), np.zeros(6)
-    ways.append(Way("NumPy, pinv and the exact gradient", 1, lambda: one(REST, held, parts)))
+    one, still = by_pinv(*matrices(arm)), np.zeros(6)
+    ways.append(
+        Way("NumPy, pinv", 1, lambda: one(REST, held, still), lambda: (one(REST, held, still)[None],), tolerance=1e-8)
+    )
     return ways, " ".join(notes)
+
+
+def of_batch(stepper: Stepper, words: str, q: Array, held: Array) -> list[Way]:
+    """Many steps at once, in double and in float32."""
+    found = []
+    for real, more, tolerance in ((np.float64, "", NEARLY), (np.float32, ", float32", 2e-3)):
+        given = (q.astype(real), held.astype(real), None, DT)
+        kept = stepper(*given)
+
+        def call(given: Any = given, kept: Any = kept) -> object:
+            return stepper(*given, out=kept)
+
+        def results(given: Any = given) -> tuple[Array, ...]:
+            return (stepper(*given).rates,)
+
+        found.append(Way(f"chainrule, Stepper{words}{more}", len(q), call, results, tolerance=tolerance))
+    return found
+
+
+def of_one(stepper: Stepper, words: str, held: Array) -> list[Way]:
+    """One step, called from Python."""
+    loop = stepper.bind(DT)
+    loop.q[:], loop.held[:] = REST, held
+
+    def bound() -> tuple[Array, ...]:
+        loop()
+        return (loop.rates[None].copy(),)
+
+    def called() -> tuple[Array, ...]:
+        return (stepper(REST, held, None, DT).rates[None],)
+
+    return [
+        Way(f"chainrule, Stepper.bind{words}", 1, loop, bound, tolerance=NEARLY),
+        Way(f"chainrule, Stepper{words}", 1, lambda: stepper(REST, held, None, DT), called, tolerance=NEARLY),
+    ]
 
 
 def urdf(arm: cr.Arm) -> str:
@@ -347,7 +403,7 @@ def placo(arm: cr.Arm, held: Array, least: float) -> Way:
     solver.enable_joint_limits(False)
     solver.enable_velocity_limits(False)
     solver.add_frame_task("tool", held).configure("tool", "soft", 1.0, 1.0)
-    solver.add_regularization_task(1e-6)
+    solver.add_regularization_task(REGULARIZATION)
     for k, angle in enumerate(REST):
         robot.set_joint(f"joint{k + 1}", angle)
     robot.update_kinematics()
@@ -356,8 +412,9 @@ def placo(arm: cr.Arm, held: Array, least: float) -> Way:
         solver.solve(True)
         robot.update_kinematics()
 
+    rates = solver.solve(False)[-len(REST) :][None] / DT  # before the robot moves
     step.kept = robot  # type: ignore[attr-defined]
-    return Way("PlaCo, KinematicsSolver", 1, step, least=least)
+    return Way("PlaCo, KinematicsSolver", 1, step, lambda: (rates,), least, tolerance=NEARLY)
 
 
 def pink(arm: cr.Arm, held: Array, least: float) -> Way:
@@ -378,4 +435,4 @@ def pink(arm: cr.Arm, held: Array, least: float) -> Way:
         rates: Array = library.solve_ik(configuration, [task], DT, solver=solver, safety_break=False)
         return rates
 
-    return Way(f"Pink, solve_ik with {solver}", 1, step, least=least)
+    return Way(f"Pink, solve_ik with {solver}", 1, step, lambda: (step()[None],), least, tolerance=NEARLY)
