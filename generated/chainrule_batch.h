@@ -15,7 +15,7 @@ CR_INLINE int chainrule_take(ptrdiff_t left, int width)
 }
 
 /* Four configurations times four entries at a time, where the compiler knows vectors; else one by one. */
-#if defined(__has_builtin)
+#if !defined(CR_HAS_QUADS) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #define CR_HAS_QUADS 1
 #endif
