@@ -13,7 +13,8 @@ import numpy as np
 from chainrule.arm import load
 from chainrule.following_compared import Comparison, Loops, Study, compare, study, study_paths
 from chainrule.papers import Row
-from chainrule.paths import Circle, Ellipse, Path
+from chainrule.parametric_paths import Ellipse
+from chainrule.paths import Circle, Path
 from chainrule.stretches import Method
 
 if TYPE_CHECKING:
