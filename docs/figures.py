@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 import chainrule as cr
 from chainrule import papers
 from chainrule.console import write_figure
-from chainrule.following import compare, study
+from chainrule.following_compared import compare, study
 from chainrule.papers.sanchez_paths import STARTS, thesis_arc
 from chainrule.plot.arm import draw_arm
 from chainrule.plot.cuspidality import draw_design

@@ -13,9 +13,11 @@ import pytest
 import chainrule as cr
 from chainrule.cli import run
 from chainrule.errors import InputError
-from chainrule.following import Followed, compare, follow, random_arms, study, study_paths
+from chainrule.following import Followed, follow
+from chainrule.following_compared import compare, random_arms, study, study_paths
 from chainrule.papers.ambike_following import EXAMPLES, example, rows_following
-from chainrule.paths import Circle, Curve, Ellipse, Line, Path, Spline
+from chainrule.parametric_paths import Curve, Ellipse, Spline
+from chainrule.paths import Circle, Line, Path
 from chainrule.stretches import (
     END,
     LIMIT,

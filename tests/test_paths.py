@@ -16,7 +16,8 @@ from scipy.interpolate import PPoly
 from scipy.special import ellipe
 
 from chainrule.errors import DescriptionError, InputError
-from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Path, Spline, arc_frame, arc_locate, unit
+from chainrule.parametric_paths import Curve, Ellipse, Spline
+from chainrule.paths import Arc, Circle, Line, Path, arc_frame, arc_locate, unit
 from chainrule.readers.paths import from_csv, from_toml, read_path
 
 POINTS = np.random.default_rng(7).uniform(0.0, 1.0, (9, 2))

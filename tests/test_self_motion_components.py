@@ -11,8 +11,10 @@ from arms_under_test import crooked_rrpr
 import chainrule as cr
 from chainrule.cuspidality.normal_form import evaluator
 from chainrule.self_motions.components import searched
-from chainrule.self_motions.continuation import Held, project, start_points, target_of, trace_many
+from chainrule.self_motions.continuation import trace_many
+from chainrule.self_motions.held import Held, target_of
 from chainrule.self_motions.identity import Known
+from chainrule.self_motions.projection import project, start_points
 from chainrule.self_motions.spherical import orientations, turn
 from chainrule.self_motions.srs import Swivel
 from chainrule.self_motions.sweep import Sweep, real_angles

@@ -12,12 +12,16 @@ from arms_under_test import crooked_rrpr
 from scipy.integrate import solve_ivp
 
 import chainrule as cr
-from chainrule.self_motions import continuation, limits, tracing
-from chainrule.self_motions.continuation import Held, Settings, project, target_of, trace, trace_many, traces
+from chainrule.self_motions import limits, tracing
+from chainrule.self_motions.continuation import trace, trace_many, traces
 from chainrule.self_motions.eigenvector import eigenvector
+from chainrule.self_motions.held import Held, target_of
 from chainrule.self_motions.identity import Known
+from chainrule.self_motions.kernel import kernel
 from chainrule.self_motions.planar_3r import planar_self_motion, singular_radii
+from chainrule.self_motions.projection import project, start_points
 from chainrule.self_motions.result import Component
+from chainrule.self_motions.tracing import Settings
 
 TURN = 2.0 * math.pi
 LENARCIC = (0.40, 0.35, 0.25)
@@ -413,7 +417,7 @@ def test_panda_loops_come_in_pairs_from_any_start():
     """All random starts of one pose lie on few loops, and each length comes twice (sin q2 of either sign)."""
     arm = cr.load("panda")
     aim = arm.pose([0.1, -0.5, 0.3, -2.0, 0.2, 1.6, 0.4])
-    q, arrived = project(arm, continuation.start_points(arm, 150, 11), aim)
+    q, arrived = project(arm, start_points(arm, 150, 11), aim)
     assert arrived.mean() > 0.5
     loops = trace_many(arm, q[arrived], "pose", targets=aim)
     lengths = np.array([loop.length for loop in loops])
@@ -610,11 +614,11 @@ def test_without_a_compiler_the_curves_are_the_same(monkeypatch):
     arm = cr.planar_3r(*LENARCIC)
     wanted = trace(arm, [0.5, 1.0, 1.0])
     found = compiling.find(arm.description.model, "continuation_position")
-    continuation.kernel.cache_clear()
+    kernel.cache_clear()
     with monkeypatch.context() as patch, warnings.catch_warnings():
         patch.setattr(compiling, "find", lambda *given: dataclasses.replace(found, library=None))
         again = trace(arm, [0.5, 1.0, 1.0])
-    continuation.kernel.cache_clear()
+    kernel.cache_clear()
     assert again.length == pytest.approx(wanted.length, rel=1e-12)
     np.testing.assert_allclose(again.box, wanted.box, rtol=0, atol=1e-12)
 

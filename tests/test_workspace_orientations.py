@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 import chainrule as cr
+from chainrule.boundary_pieces import Arc
 from chainrule.orientations import FULL, Everywhere, _limited, circle_in, orientations, union, widened
 from chainrule.planar_chains import chain, merged, reached
-from chainrule.regions import Arc, Region
+from chainrule.regions import Region
 from chainrule.workspaces import workspace
 
 PI = math.pi

@@ -9,9 +9,12 @@ import pytest
 
 import chainrule as cr
 from chainrule import regions
+from chainrule.boundary_pieces import Arc, Segment
+from chainrule.boundary_tracing import trace
 from chainrule.description import Planar
 from chainrule.planar_chains import chain, from_tip, merged, reached
-from chainrule.regions import Arc, Region, Segment, Slide, Turn, point, sweep, trace
+from chainrule.regions import Region, point
+from chainrule.sweeping import Slide, Turn, sweep
 from chainrule.workspaces import boundary_table, dexterous_rings, ring, rings_inside, workspace
 
 PI = math.pi

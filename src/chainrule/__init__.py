@@ -27,7 +27,8 @@ if TYPE_CHECKING:
     from chainrule.goals import FastestMove, Postures, fastest, postures
     from chainrule.higher_order import motion_ratios
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
-    from chainrule.paths import Arc, Circle, Curve, Ellipse, Line, Spline
+    from chainrule.parametric_paths import Curve, Ellipse, Spline
+    from chainrule.paths import Arc, Circle, Line
     from chainrule.readers.paths import read_path
     from chainrule.redundancy.batch import Batch, Forecast, forecast, track_batch
     from chainrule.redundancy.fastest import fastest_run
@@ -138,7 +139,8 @@ _HOMES = {
     **dict.fromkeys(
         ("ManipulabilityMap", "Maximum", "manipulability_map", "max_manipulability"), "chainrule.manipulability"
     ),
-    **dict.fromkeys(("Arc", "Circle", "Curve", "Ellipse", "Line", "Spline"), "chainrule.paths"),
+    **dict.fromkeys(("Curve", "Ellipse", "Spline"), "chainrule.parametric_paths"),
+    **dict.fromkeys(("Arc", "Circle", "Line"), "chainrule.paths"),
     **dict.fromkeys(("JointMove", "min_time"), "chainrule.timing"),
     **dict.fromkeys(("speed_ratios_4", "speed_ratios_4_each"), "chainrule.four_joints"),
     "follow": "chainrule.following",

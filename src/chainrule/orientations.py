@@ -24,9 +24,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from chainrule.boundary_pieces import TURN, circle_meets, triangle
 from chainrule.errors import InputError
 from chainrule.planar_chains import Chain, Move, Moving, after_first, from_tip, merged, reached, then
-from chainrule.regions import TURN, Region, circle_meets, triangle
+from chainrule.regions import Region
 
 Array = NDArray[Any]
 Interval = tuple[float, float]
@@ -93,7 +94,7 @@ def circle_in(region: Region, radius: float, size: float = 0.0) -> tuple[Interva
     slack = 1e-11 * max(size, region.size, radius)
     if radius <= slack:
         return FULL if bool(region.contains(np.zeros(1, dtype=complex), slack)[0]) else ()
-    p = region._all
+    p = region.arrays
     meets = [at[valid] for at, valid in circle_meets(p, np.array(radius), slack)]
     # ends on the circle stand for arcs along it, and for tangent ones that end just before they touch it
     meets += [ends[np.abs(np.abs(ends) - radius) <= slack] for ends in (p.start, p.end)]

@@ -7,9 +7,11 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
+from chainrule.boundary_pieces import TURN, Values
 from chainrule.description import Description, Planar
 from chainrule.errors import InputError
-from chainrule.regions import TURN, Region, Slide, Turn, Values, point, sweep
+from chainrule.regions import Region, point
+from chainrule.sweeping import Slide, Turn, sweep
 
 #: A rigid motion z -> rotation z + shift.
 Move = tuple[complex, complex]

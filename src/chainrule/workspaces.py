@@ -13,11 +13,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm, checked_arm
+from chainrule.boundary_pieces import TURN, Arc, Piece, Segment
+from chainrule.boundary_tracing import trace
 from chainrule.description import Description, check_finite
 from chainrule.errors import InputError, shown
 from chainrule.orientations import FULL, SAME, Everywhere, circle_in, orientations, seen_from_tip
 from chainrule.planar_chains import Chain, chain, merged, reached
-from chainrule.regions import TURN, Arc, Piece, Region, Segment, Turn, levels, trace
+from chainrule.regions import Region
+from chainrule.sweeping import Turn, levels
 from chainrule.tables import Cell, Column, Table, angle_deg, readable
 
 Array = NDArray[Any]
@@ -165,7 +168,7 @@ def workspace(arm: Arm) -> Workspace:
     """The exact workspaces of a planar arm of revolute and prismatic joints, within its joint limits.
 
     A revolute joint without limits, with one only, or with a range of a full turn or more turns freely. The boundary
-    of the reachable set consists of arcs and segments in closed form (see :mod:`chainrule.regions`); without limits it
+    of the reachable set consists of arcs and segments in closed form (see :mod:`chainrule.sweeping`); without limits it
     is the ring of :func:`ring`, with :func:`dexterous_rings` inside (De Luca, exercise 1, for three links and a short
     last one).
 

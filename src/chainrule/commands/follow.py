@@ -92,7 +92,8 @@ def follow(
 
 def _path(file: Path | None, given: dict[str, str | None], deg: bool) -> TipPath:
     """The one path that was given."""
-    from chainrule.paths import Circle, Ellipse, Line
+    from chainrule.parametric_paths import Ellipse
+    from chainrule.paths import Circle, Line
 
     named = {name: text for name, text in given.items() if text is not None}
     if len(named) + (file is not None) != 1:

@@ -96,8 +96,8 @@ def self_motion(
 
     Example: chainrule self-motion lenarcic_3r --target 0.4,0 --figure self-motion.svg
     """
-    from chainrule.self_motions.continuation import held_task
     from chainrule.self_motions.face import self_motion as find
+    from chainrule.self_motions.held import held_task
 
     loaded = load_arm(arm, tip, base)
     task = held_task(loaded, task)
@@ -146,7 +146,7 @@ def _target(arm: Arm, task: str, target: str | None, at: str | None, along: str 
 
     import numpy as np
 
-    from chainrule.self_motions.continuation import target_of, target_shape
+    from chainrule.self_motions.held import target_of, target_shape
 
     shape = target_shape(arm, task)
     if target is not None and at is not None:

@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from chainrule.arm import load
-from chainrule.following import Comparison, Loops, Study, compare, study, study_paths
+from chainrule.following_compared import Comparison, Loops, Study, compare, study, study_paths
 from chainrule.papers import Row
-from chainrule.paths import Circle, Ellipse, Path
+from chainrule.parametric_paths import Ellipse
+from chainrule.paths import Circle, Path
 from chainrule.stretches import Method
 
 if TYPE_CHECKING:
@@ -98,7 +99,7 @@ def _longer(studies: list[Study]) -> Row:
         f"{_percent(1.0 - facts[0]['worse'])} of {CASES} random arms",
         None,
         "true under a condition",
-        f"following.study({CASES}, 0.025, seed=1)",
+        f"following_compared.study({CASES}, 0.025, seed=1)",
         f"it makes the error in s² vanish and leaves that in s³ as it is: less far than the pseudoinverse in {worse} "
         f"of cases where the position error may be 0.025, 0.005, 0.0005; median travel {medians} times its travel",
     )
@@ -113,7 +114,7 @@ def _nearest(entry: Study) -> Row:
         f"median gain {facts['median_not_met']:.4g}",
         None,
         "true under a condition",
-        f"following.study({CASES}, 0.025, seed=1)",
+        f"following_compared.study({CASES}, 0.025, seed=1)",
         f"right to second order, but the gain over the pseudoinverse is almost nil there (where Δ > 0 its median is "
         f"{facts['median_met']:.3g}), and in {_percent(facts['worse_not_met'])} of cases it is a loss",
     )
@@ -128,7 +129,7 @@ def _root(entry: Study) -> Row:
         f"in {facts['two_roots'] - facts['better_root_missed']} of {facts['two_roots']} cases",
         None,
         "true under a condition",
-        f"following.study({CASES}, 0.025, seed=1)",
+        f"following_compared.study({CASES}, 0.025, seed=1)",
         "the sign of the two errors and the terms of higher order decide the rest",
     )
 
@@ -142,7 +143,7 @@ def _second_term(studies: list[Study]) -> Row:
         f"the offset's terms in s² and s³, with their signs, tell which method goes farther in {shares}",
         None,
         "true under a condition",
-        f"following.study({CASES}, tolerance, seed=1)",
+        f"following_compared.study({CASES}, tolerance, seed=1)",
         "where those two terms say so; for position errors of 0.025, 0.005, 0.0005",
     )
 
@@ -160,7 +161,7 @@ def _ahead(studies: list[Study]) -> Row:
         else "less than the pseudoinverse in some cases",
         None,
         "true under a condition" if never else "DISAGREES",
-        f"following.study({CASES}, tolerance, seed=1)",
+        f"following_compared.study({CASES}, tolerance, seed=1)",
         "in every case if the candidates of both methods and of the two-term rule are tried; for position errors of "
         "0.025, 0.005, 0.0005",
     )
@@ -176,6 +177,6 @@ def _updates(name: str, path: Path) -> Row:
         f"fewer updates in {_percent(facts['fewer'])}, median {facts['median_ratio']:.3g} of the pseudoinverse's",
         None,
         "true under a condition" if facts["more"] else "agrees",
-        f"following.study_paths(path, {LOOPS}, 0.005, seed=1)",
+        f"following_compared.study_paths(path, {LOOPS}, 0.005, seed=1)",
         f"more updates in {_percent(facts['more'])} of {LOOPS} random arms" if facts["more"] else "",
     )

@@ -12,7 +12,8 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
-from chainrule.following import Comparison, Followed, Study
+from chainrule.following import Followed
+from chainrule.following_compared import Comparison, Study
 from chainrule.paths import Path, arc_frame, arc_locate
 from chainrule.plot.style import COLOURS, WIDTH, styled
 from chainrule.skeleton import skeleton
@@ -57,7 +58,8 @@ def draw_stretches(
     """Paths made from one posture until the tolerance is reached, with their curvature centres, and their offsets.
 
     Above, the arm at ``q``, the desired arc and its band, and each method's path with its curvature centre; below, the
-    distance from the arc over the arc length. ``found`` is :func:`chainrule.following.compare` of the same posture.
+    distance from the arc over the arc length. ``found`` is :func:`chainrule.following_compared.compare` of the same
+    posture.
     """
     q, direction = np.asarray(q, float), np.asarray(tangent, float)
     direction = direction / np.hypot(*direction)

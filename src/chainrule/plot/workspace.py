@@ -15,8 +15,9 @@ from matplotlib.path import Path
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
+from chainrule.boundary_pieces import Arc, Piece
 from chainrule.plot.style import COLOURS, WIDTH, styled
-from chainrule.regions import Arc, Piece, Region
+from chainrule.regions import Region
 from chainrule.skeleton import skeleton
 from chainrule.workspaces import Workspace, findings, states_in_words, workspace
 

@@ -29,7 +29,8 @@ from typing import Any
 
 from chainrule.description import check_finite
 from chainrule.errors import DescriptionError, InputError, shown
-from chainrule.paths import Arc, Circle, Ellipse, Line, Path, Spline
+from chainrule.parametric_paths import Ellipse, Spline
+from chainrule.paths import Arc, Circle, Line, Path
 from chainrule.readers.files import located, read_limited
 from chainrule.readers.toml import known, parsed, radians, required
 

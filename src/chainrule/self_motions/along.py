@@ -25,9 +25,10 @@ from chainrule.arm import Arm
 from chainrule.description import Planar
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
-from chainrule.self_motions.continuation import Held, checked_targets, held_task, project, target_shape
 from chainrule.self_motions.face import self_motion
+from chainrule.self_motions.held import Held, checked_targets, held_task, target_shape
 from chainrule.self_motions.identity import Known
+from chainrule.self_motions.projection import project
 from chainrule.self_motions.result import Component, SelfMotion
 
 Array = NDArray[Any]

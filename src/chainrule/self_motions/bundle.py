@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.self_motions.continuation import CORRECTIONS, Dense, Held, target_shape
+from chainrule.self_motions.continuation import Dense
+from chainrule.self_motions.held import CORRECTIONS, Held, target_shape
 from chainrule.self_motions.tracing import quintic
 
 Array = NDArray[Any]

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
-from chainrule.self_motions.continuation import Held, followed, project, start_points
+from chainrule.self_motions.continuation import followed
+from chainrule.self_motions.held import Held
 from chainrule.self_motions.identity import Known
+from chainrule.self_motions.projection import project, start_points
 from chainrule.self_motions.result import Component
 from chainrule.self_motions.spherical import Flip, Structure
 from chainrule.self_motions.srs import Swivel

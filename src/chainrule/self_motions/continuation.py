@@ -9,234 +9,27 @@ from __future__ import annotations
 
 import ctypes
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from chainrule import compile as compiling
-from chainrule.arm import Arm, checked_arm
-from chainrule.description import Model, Planar, Serial
-from chainrule.errors import InputError, shown
+from chainrule.arm import Arm
+from chainrule.errors import InputError
 from chainrule.inputs import real_array
 from chainrule.self_motions import tracing
+from chainrule.self_motions.held import Held, checked_targets, held_task, length_scale, target_of, target_shape
+from chainrule.self_motions.kernel import CURVE_RESULT, CurveRoom, CurveSettings
 from chainrule.self_motions.result import ENDS, Component
-from chainrule.self_motions.tracing import Settings, System, Trace, quintic
+from chainrule.self_motions.tracing import Settings, Trace, quintic
 
 Array = NDArray[Any]
 
 #: Points the kernel may write in one call, at first.
 ROOM = 1 << 12
-#: Corrections of points between those of the kernel.
-CORRECTIONS = 3
-#: Most corrections, and the largest one (rad), of :func:`project`; and the last one, below which it has arrived.
-PROJECTIONS, STRIDE, ARRIVED = 60, 0.5, 1e-10
-#: Half of the step of difference quotients, rad.
-DIFFERENCE = 1e-5
-
-
-def held_task(arm: Arm, task: str | None) -> str:
-    """The task, checked to leave one joint free.
-
-    Raises:
-        InputError: an unknown task, or n - m is not 1.
-    """
-    task = checked_arm(arm).default_task if task is None else task
-    if task not in arm.tasks:
-        raise InputError(f"{arm.name}: there is no task {shown(task)}; {', '.join(arm.tasks)} are accepted")
-    if arm.n - arm.tasks[task] != 1:
-        fitting = [name for name, rows in arm.tasks.items() if arm.n - rows == 1]
-        raise InputError(
-            f"{arm.name}: the task '{task}' has {arm.tasks[task]} rows for {arm.n} joints: no curve; "
-            + (f"{', '.join(fitting)} is accepted" if fitting else "an arm with one joint more than rows is accepted")
-        )
-    return task
-
-
-def length_scale(scale: float) -> float:
-    """The length that counts as one radian for prismatic joints, m, checked."""
-    found = float(real_array(scale, "scale"))
-    if not found > 0.0:
-        raise InputError(f"scale: {shown(scale)}; a length above 0 is accepted")
-    return found
-
-
-def target_shape(arm: Arm, task: str) -> tuple[int, ...]:
-    """The shape of a target: x, y(, z); x, alpha; x, y, alpha; or (4, 4)."""
-    if isinstance(arm.description.geometry, Planar):
-        return ({"position": 2, "x_alpha": 2, "pose": 3}[task],)
-    return (3,) if task == "position" else (4, 4)
-
-
-def target_of(arm: Arm, q: ArrayLike, task: str | None = None) -> Array:
-    """What the tip does at the configurations q (..., n), as a target of the task.
-
-    (..., 2) x, y; (..., 3) x, y, z; (..., 2) x, alpha; (..., 3) x, y, alpha; or a homogeneous matrix (..., 4, 4).
-
-    Example:
-        >>> import chainrule as cr
-        >>> target_of(cr.planar_3r(1.0, 0.5, 0.25), [0.0, 0.0, 0.0], "x_alpha")
-        array([1.75, 0.  ])
-    """
-    task = arm.default_task if task is None else task
-    if task == "position":
-        return arm.position(q)
-    pose = arm.pose(q)
-    if not isinstance(arm.description.geometry, Planar):
-        return pose
-    alpha = np.arctan2(pose[..., 1, 0], pose[..., 0, 0])
-    rows = (0,) if task == "x_alpha" else (0, 1)
-    return np.stack([*(pose[..., row, 2] for row in rows), alpha], axis=-1)
-
-
-def checked_targets(arm: Arm, task: str, targets: ArrayLike) -> Array:
-    """Targets as an array (..., target shape); poses are checked to be displacements.
-
-    Raises:
-        InputError: a wrong shape, or a rotation that is none.
-    """
-    found, shape = real_array(targets, "target"), target_shape(arm, task)
-    if found.shape[-len(shape) :] != shape:
-        raise InputError(f"target has shape {found.shape}; (..., {', '.join(map(str, shape))}) is accepted")
-    if shape == (4, 4):
-        rotation = found[..., :3, :3]
-        wrong = np.abs(rotation @ np.swapaxes(rotation, -1, -2) - np.eye(3)).max(initial=0.0)
-        if wrong > 1e-6 or (found.size and np.linalg.det(rotation).min() < 0.0):
-            raise InputError(f"target: its rotation is off by {wrong:.3g}; a rotation to 1e-6 is accepted")
-    return found
-
-
-@dataclass(frozen=True)
-class Held:
-    """An arm's task as what is followed: scaled so that everything is in rad.
-
-    Attributes:
-        arm, task: whose.
-        scale: m that count as one radian of a prismatic joint.
-    """
-
-    arm: Arm
-    task: str
-    scale: float = 1.0
-
-    @cached_property
-    def unit(self) -> Array:
-        """(n,): 1 for revolute joints, the length scale for prismatic ones."""
-        return np.asarray(np.where(self.revolute, 1.0, self.scale))
-
-    @cached_property
-    def revolute(self) -> Array:
-        """(n,): which joints are revolute."""
-        return np.array([kind == "R" for kind in self.arm.kinds])
-
-    @cached_property
-    def links(self) -> Array:
-        """(n,): the constant distance from each joint to the next one, from the last one to the tip, m."""
-        geometry = self.arm.description.geometry
-        if isinstance(geometry, Planar):
-            return np.array([abs(length) for length in geometry.lengths])
-        assert isinstance(geometry, Serial)  # the orthogonal 3R arms have no task with two rows
-        ahead = (*geometry.placements[1:], geometry.tool)
-        return np.array([math.hypot(*transform.translation) for transform in ahead])
-
-    @cached_property
-    def size(self) -> float:
-        """The length that rows are divided by, m: where the guard's balls are about largest."""
-        return max(float(self.links.sum()) / 3.0, self.scale * 1e-3) or 1.0
-
-    def evaluate(self, q: Array, target: Array) -> tuple[Array, Array, Array]:
-        """Error (..., m), Jacobian (..., m, n) and null vector (..., n), in the task's units."""
-        found: tuple[Array, Array, Array] = self.arm.evaluator(f"continuation_{self.task}")(
-            q, target, *self._parameters
-        )
-        return found
-
-    def bend(self, q: Array) -> tuple[Array, Array]:
-        """Null vector (..., n) and its derivative along itself."""
-        found: tuple[Array, Array] = self.arm.evaluator(f"continuation_{self.task}_bending")(q, *self._parameters)
-        return found
-
-    @cached_property
-    def _parameters(self) -> tuple[Array, ...]:
-        return (self.arm.parameters,) if self.arm.parameters.size else ()
-
-    @cached_property
-    def kernel(self) -> Kernel | None:
-        """The compiled functions, or None where there is no compiler."""
-        return kernel(self.arm.description.model, self.task)
-
-    @cached_property
-    def _numbers(self) -> tuple[Array, ...]:
-        every = (self.arm.parameters, self.unit, self.links, [self.size])
-        return tuple(np.ascontiguousarray(each, float) for each in every)
-
-    @cached_property
-    def _pointers(self) -> tuple[int, ...]:
-        return tuple(each.ctypes.data for each in self._numbers)
-
-    def inputs(self, targets: Array, starts: Array | None = None) -> _Inputs:
-        """What the compiled functions are given: contiguous targets, one for all or one each, and starts."""
-        parameters, *others = self._pointers
-        shared = targets.ndim == len(target_shape(self.arm, self.task))
-        return _Inputs(
-            None if starts is None else starts.ctypes.data,
-            targets.ctypes.data,
-            0 if shared else targets[0].size,
-            parameters if self.arm.parameters.size else None,
-            0,
-            *(entry for pointer in others for entry in (pointer, 0)),
-        )
-
-    def system(self, target: Array) -> System:
-        """As the NumPy code follows it."""
-        planar = isinstance(self.arm.description.geometry, Planar)
-        return System(
-            lambda q: self.evaluate(q, target),
-            self.bend,
-            self.revolute,
-            self.unit,
-            self.links,
-            ({"x_alpha": 1}.get(self.task, 2) if planar else 3),
-            self.task != "x_alpha",
-            not planar and self.task == "pose",
-            self.size,
-        )
-
-    def corrected(self, q: Array, target: Array, times: int = CORRECTIONS) -> Array:
-        """Configurations (k, n) near the curve, moved onto it by Newton's method, each by its shortest way."""
-        if self.kernel is not None:
-            return self.placed(q, target, times)[0]
-        q = np.array(q, float)
-        for _ in range(times if len(q) else 0):
-            q += self.step(q, target)
-        return q
-
-    def placed(self, q: Array, target: Array, times: int = CORRECTIONS) -> tuple[Array, Array]:
-        """As :meth:`corrected`, and the unit tangents (k, n) of scaled joints there."""
-        functions = self.kernel
-        if functions is None:
-            q = self.corrected(q, target, times)
-            null = self.bend(q)[0] / self.unit
-            return q, null / np.linalg.norm(null, axis=-1, keepdims=True)
-        q, tangents = np.array(q, float, order="C"), np.empty(q.shape)
-        aim = np.ascontiguousarray(target, float)
-        functions.correct(len(q), ctypes.byref(self.inputs(aim)), times, q.ctypes.data, tangents.ctypes.data)
-        return q, tangents
-
-    def step(self, q: Array, target: Array) -> Array:
-        """Newton's correction -J^+ e in scaled joints, in the joints' own units, (k, n); 0 where J has lost rank."""
-        e, jacobian, _ = self.evaluate(q, target)
-        columns, triangle = np.linalg.qr(np.swapaxes(jacobian * self.unit, -1, -2))
-        diagonal = np.abs(np.diagonal(triangle, axis1=-2, axis2=-1))
-        regular = (diagonal > 1e-14 * diagonal.max(axis=-1, keepdims=True)).all(axis=-1) & np.isfinite(e).all(axis=-1)
-        triangle[~regular] = np.eye(triangle.shape[-1])
-        y = np.linalg.solve(np.swapaxes(triangle, -1, -2), e[..., np.newaxis])
-        step = -(columns @ y)[..., 0] * self.unit
-        step[~regular] = 0.0
-        return np.asarray(step)
 
 
 @dataclass(frozen=True)
@@ -326,86 +119,7 @@ class Dense:
         return q.reshape(*fractions.shape, len(self.held.unit))
 
 
-# ---- the kernel ------------------------------------------------------------------------------------------------
-
-
-class _Settings(ctypes.Structure):
-    """chainrule_curve_settings."""
-
-    _fields_ = (
-        ("longest", ctypes.c_double),
-        ("singular", ctypes.c_double),
-        ("steps", ctypes.c_ssize_t),
-        ("direction", ctypes.c_int),
-    )
-
-
-class _Inputs(ctypes.Structure):
-    """chainrule_curve_inputs."""
-
-    _fields_ = (
-        ("starts", ctypes.c_void_p),
-        ("targets", ctypes.c_void_p),
-        ("target_step", ctypes.c_ssize_t),
-        ("parameters", ctypes.c_void_p),
-        ("parameter_step", ctypes.c_ssize_t),
-        ("units", ctypes.c_void_p),
-        ("unit_step", ctypes.c_ssize_t),
-        ("links", ctypes.c_void_p),
-        ("link_step", ctypes.c_ssize_t),
-        ("sizes", ctypes.c_void_p),
-        ("size_step", ctypes.c_ssize_t),
-    )
-
-
-class _Room(ctypes.Structure):
-    """chainrule_curve_room."""
-
-    _fields_ = (
-        ("points", ctypes.c_void_p),
-        ("knots", ctypes.c_void_p),
-        ("most_points", ctypes.c_ssize_t),
-        ("most_knots", ctypes.c_ssize_t),
-    )
-
-
-#: chainrule_curve_result.
-_RESULT = np.dtype(
-    {
-        "names": [
-            *("length", "closure", "contraction", "lowest", "highest"),
-            *("points", "knots", "steps", "evaluations", "reason"),
-        ],
-        "formats": [float] * 5 + [np.intp] * 4 + [np.intc],
-    },
-    align=True,
-)
-
-
-@dataclass(frozen=True)
-class Kernel:
-    """The compiled functions of a model's arms: ``follow`` a curve, ``correct`` configurations near it."""
-
-    follow: Any
-    correct: Any
-
-
-@cache
-def kernel(model: Model, task: str) -> Kernel | None:
-    """The compiled functions of a model's arms, or None where there is no compiler."""
-    built = compiling.find(model, f"continuation_{task}")
-    if built.library is None:
-        return None
-    library, name = ctypes.CDLL(str(built.library)), f"{built.prefix}_continuation_{task}"
-    follow, correct = library[f"{name}_follow"], library[f"{name}_correct"]
-    many, inputs = ctypes.c_ssize_t, ctypes.POINTER(_Inputs)
-    follow.restype, correct.restype = many, None
-    follow.argtypes = [
-        *(many, inputs, ctypes.POINTER(_Settings), ctypes.POINTER(_Room)),
-        *[ctypes.c_void_p] * 2,
-    ]
-    correct.argtypes = [many, inputs, ctypes.c_int, *[ctypes.c_void_p] * 2]
-    return Kernel(follow, correct)
+# ---- following -------------------------------------------------------------------------------------------------
 
 
 def traces(held: Held, starts: Array, targets: Array, settings: Settings, *, compiled: bool = True) -> Iterator[Trace]:
@@ -427,11 +141,11 @@ def traces(held: Held, starts: Array, targets: Array, settings: Settings, *, com
         return
     n, count = held.arm.n, len(starts)
     targets = np.ascontiguousarray(targets, float)
-    boxes, results = np.empty((count, n, 2)), np.zeros(count, _RESULT)
-    mine = _Settings(settings.longest, settings.singular, settings.steps, settings.direction)
+    boxes, results = np.empty((count, n, 2)), np.zeros(count, CURVE_RESULT)
+    mine = CurveSettings(settings.longest, settings.singular, settings.steps, settings.direction)
     points, knots, done = np.empty((ROOM, 3 * n + 3)), np.empty((ROOM, 3)), 0
     while done < count:
-        room = _Room(points.ctypes.data, knots.ctypes.data, len(points), len(knots))
+        room = CurveRoom(points.ctypes.data, knots.ctypes.data, len(points), len(knots))
         inputs = held.inputs(targets if shared else targets[done:], starts[done:])
         taken = functions.follow(
             count - done, ctypes.byref(inputs), ctypes.byref(mine), ctypes.byref(room), boxes[done:].ctypes.data,
@@ -635,107 +349,3 @@ def kept_signs(box: Array, revolute: Array) -> dict[str, int]:
         if inside:
             found[f"q{i}"] = 1 if half % 2 == 0 else -1
     return found
-
-
-def project(
-    arm: Arm,
-    q: ArrayLike,
-    target: ArrayLike,
-    task: str | None = None,
-    *,
-    scale: float = 1.0,
-    extremal: ArrayLike | None = None,
-) -> tuple[Array, Array]:
-    """Configurations (k, n) moved to the target by damped Newton steps: where they arrive, and whether they do.
-
-    Each step is -J^+ e in scaled joints, at most 0.5 rad long; for spatial orientations e has the rotation's vector
-    (angle times axis). One that loses rank on its way, or does not arrive in 60 steps, counts as not arrived.
-
-    Args:
-        arm: an arm with n - m = 1.
-        q: (k, n) where to begin.
-        target: one target.
-        task: what is held; the arm's default task when absent.
-        scale: m that count as one radian of a prismatic joint.
-        extremal: (k,) a joint for each configuration, from 1, that is to be extremal on the curve where it arrives:
-            the null vector's component is one equation more.
-
-    Returns:
-        configurations (k, n), not wrapped, and (k,) whether each is on the target.
-
-    Example:
-        >>> import chainrule as cr
-        >>> arm = cr.load("panda")
-        >>> aim = arm.pose([0.1, -0.5, 0.3, -2.0, 0.2, 1.6, 0.4])
-        >>> found, arrived = project(arm, np.random.default_rng(0).uniform(-1.5, 1.5, (100, 7)), aim)
-        >>> bool(np.abs(arm.pose(found[arrived]) - aim).max() < 1e-12)
-        True
-    """
-    task = held_task(arm, task)
-    held, aim = Held(arm, task, length_scale(scale)), checked_targets(arm, task, target)
-    found = np.array(real_array(q, "q"))
-    if found.ndim != 2 or found.shape[1] != arm.n:
-        raise InputError(f"q has shape {found.shape}; (k, {arm.n}) is accepted")
-    joints = None if extremal is None else np.asarray(extremal, int) - 1
-    spatial = held.system(aim).spatial
-    going = np.ones(len(found), bool)
-    for _ in range(PROJECTIONS):
-        index = np.flatnonzero(going)
-        if not len(index):
-            break
-        step = _damped(held, found[index], aim, spatial, None if joints is None else joints[index])
-        found[index] += step
-        going[index] = np.linalg.norm(step / held.unit, axis=1) > ARRIVED
-    error = np.abs(held.evaluate(found, aim)[0]).max(axis=1) if len(found) else np.zeros(0)
-    near = ~going & (error < 1e-9 * max(held.size, 1.0))
-    near |= error < 1e-14 * max(held.size, 1.0)  # at a singular posture steps go on after the error has vanished
-    if joints is not None and len(found):
-        near &= np.abs(_slope(held, found, joints)) < 1e-6
-    if spatial and len(found):  # the skew part vanishes at half a turn too
-        near &= np.einsum("kij,ij->k", arm.pose(found)[:, :3, :3], aim[:3, :3]) > 0.0
-    return found, near
-
-
-def _slope(held: Held, q: Array, joints: Array) -> Array:
-    """(..., k): at configurations (..., k, n) the unit tangent's component of a joint each."""
-    null = held.bend(q)[0] / held.unit
-    with np.errstate(all="ignore"):
-        found = null[..., np.arange(len(joints)), joints] / np.linalg.norm(null, axis=-1)
-    return np.asarray(np.nan_to_num(found, nan=1.0))
-
-
-def _damped(held: Held, q: Array, target: Array, spatial: bool, joints: Array | None = None) -> Array:
-    e, jacobian, _ = held.evaluate(q, target)
-    if spatial:
-        from scipy.spatial.transform import Rotation
-
-        e = e.copy()
-        e[:, 3:] = Rotation.from_matrix(held.arm.pose(q)[:, :3, :3] @ target[:3, :3].T).as_rotvec()
-    rows = np.where(np.arange(e.shape[1]) < held.system(target).positions, 1.0 / held.size, 1.0)
-    scaled = jacobian * held.unit * rows[:, np.newaxis]
-    e = e * rows
-    if joints is not None:
-        steps = (DIFFERENCE * np.eye(held.arm.n) * held.unit)[:, np.newaxis]
-        slopes = _slope(held, np.concatenate([q + steps, q - steps, q[np.newaxis]]), joints)
-        change = np.subtract(*np.split(slopes[:-1], 2)).T / (2.0 * DIFFERENCE)
-        scaled = np.concatenate([scaled, change[:, np.newaxis]], axis=1)
-        e = np.concatenate([e, slopes[-1][:, np.newaxis]], axis=1)
-    gram = scaled @ np.swapaxes(scaled, -1, -2)
-    error = np.linalg.norm(e, axis=1)
-    damping = 1e-3 * np.minimum(error, 1.0) ** 2  # Levenberg and Marquardt: vanishes with the error's square
-    damping = damping + 1e-15 * np.trace(gram, axis1=-2, axis2=-1) + 1e-300  # what rounding cannot tell from rank lost
-    gram += damping[:, np.newaxis, np.newaxis] * np.eye(e.shape[1])
-    y = np.linalg.solve(gram, e[..., np.newaxis])
-    step = -(np.swapaxes(scaled, -1, -2) @ y)[..., 0]
-    length = np.linalg.norm(step, axis=1, keepdims=True)
-    return np.asarray(step * np.minimum(1.0, STRIDE / np.maximum(length, 1e-300)) * held.unit)
-
-
-def start_points(arm: Arm, count: int, seed: int = 0, limits: Sequence[Any] | None = None) -> Array:
-    """Random configurations (count, n) to begin from: angles all round, shifts within the limits or +-1 m."""
-    bounds = arm.limits.position if limits is None else np.asarray(limits, float)
-    low, high = np.full(arm.n, -math.pi), np.full(arm.n, math.pi)
-    for i, kind in enumerate(arm.kinds):
-        if kind == "P":
-            low[i], high[i] = np.nan_to_num(bounds[i], posinf=1.0, neginf=-1.0)
-    return np.random.default_rng(seed).uniform(low, high, (count, arm.n))

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 from chainrule.arm import Arm
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array, whole_number
-from chainrule.self_motions.continuation import checked_targets, held_task, target_of
+from chainrule.self_motions.held import checked_targets, held_task, target_of
 
 Array = NDArray[Any]
 

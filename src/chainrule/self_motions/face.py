@@ -13,15 +13,8 @@ from chainrule.description import Planar
 from chainrule.errors import InputError, shown
 from chainrule.inputs import whole_number
 from chainrule.self_motions import components as finding
-from chainrule.self_motions.continuation import (
-    Held,
-    checked_targets,
-    held_task,
-    length_scale,
-    project,
-    start_points,
-    target_shape,
-)
+from chainrule.self_motions.held import Held, checked_targets, held_task, length_scale, target_shape
+from chainrule.self_motions.projection import project, start_points
 from chainrule.self_motions.result import ENDS, MOST_POINTS, Component, SelfMotion
 
 Array = NDArray[Any]

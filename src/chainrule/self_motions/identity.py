@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.self_motions.bundle import Bundle
-from chainrule.self_motions.continuation import Dense, Held
+from chainrule.self_motions.continuation import Dense
+from chainrule.self_motions.held import Held
 from chainrule.self_motions.result import Component
 from chainrule.self_motions.tracing import quintic
 

@@ -27,7 +27,8 @@ from chainrule.arm import Arm
 from chainrule.errors import InputError
 from chainrule.inputs import real_array
 from chainrule.self_motions.bundle import Bundle
-from chainrule.self_motions.continuation import Dense, Grid, Held, held_task, target_of
+from chainrule.self_motions.continuation import Dense, Grid
+from chainrule.self_motions.held import Held, held_task, target_of
 from chainrule.self_motions.identity import table
 from chainrule.self_motions.result import Component, limit_reason
 

@@ -22,8 +22,9 @@ from numpy.typing import NDArray
 
 from chainrule.arm import Arm
 from chainrule.errors import InputError
-from chainrule.self_motions.continuation import DIFFERENCE, Held, start_points, target_of
 from chainrule.self_motions.face import self_motion
+from chainrule.self_motions.held import Held, target_of
+from chainrule.self_motions.projection import DIFFERENCE, start_points
 from chainrule.self_motions.result import Component, SelfMotion
 
 Array = NDArray[Any]

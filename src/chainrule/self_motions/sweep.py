@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from chainrule.arm import Arm
 from chainrule.cuspidality.normal_form import Regional, evaluator
 from chainrule.description import Description, Serial, Transform
-from chainrule.self_motions.continuation import Held
+from chainrule.self_motions.held import Held
 from chainrule.self_motions.spherical import Chain, Structure, orientations, turn
 
 Array = NDArray[Any]

@@ -18,8 +18,8 @@ from chainrule.report.context import Context
 from chainrule.report.motion import FRAMES, Track, motion
 from chainrule.report.parts.summary import count_word
 from chainrule.report.sections import Section
-from chainrule.self_motions.continuation import target_of
 from chainrule.self_motions.face import self_motion
+from chainrule.self_motions.held import target_of
 from chainrule.self_motions.result import SelfMotion
 from chainrule.self_motions.words import arcs_table, completeness, curves_table, finding, limits_finding
 from chainrule.tables import posture, readable
