@@ -291,7 +291,7 @@ def _chebyshev(position: Position, low: float, high: float) -> list[Array]:
             kept = int(np.nonzero(size > 3.0 * floor)[0].max(initial=0)) + 1
             found = [series[: max(kept, 4)]]
             for _ in range(3):
-                found.append(chebyshev.chebder(found[-1]) * (2.0 / (high - low)))
+                found.append(np.asarray(chebyshev.chebder(found[-1]), np.float64) * (2.0 / (high - low)))
             return found
     raise InputError(
         "position: not smooth enough for its derivatives to be found (a corner, a jump or too much detail); "
