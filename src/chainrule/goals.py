@@ -64,7 +64,10 @@ def postures(arm: Arm, x: float, y: float, alpha: float) -> Postures:
                [ 53.13, -90.  ,  36.87]])
     """
     if checked_arm(arm).description.model.name != "planar_rrr":
-        raise InputError(f"{arm.name}: the postures of a pose are known for planar arms with three revolute joints")
+        raise InputError(
+            f"{arm.name}: a planar arm with three revolute joints is accepted; for one in space "
+            "chainrule.regional_3r(arm).postures(x, y, z) gives all postures of a point"
+        )
     target = real_array([x, y, alpha], "the pose (x, y, alpha)")
     if target.shape != (3,):
         raise InputError(f"the pose (x, y, alpha): arrays of shape {target.shape[1:]}; three numbers are accepted")
