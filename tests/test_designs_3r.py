@@ -46,7 +46,10 @@ def test_a_loaded_orthogonal_arm_answers(tmp_path):
 @pytest.mark.parametrize(
     ("ask", "said"),
     [
-        (cr.posture_change_witness, "three joints; for them chainrule.regional_3r(arm) answers"),
+        (
+            cr.posture_change_witness,
+            "six revolute joints in space are accepted; of three ask chainrule.regional_3r(arm)",
+        ),
         (lambda arm: cr.postures(arm, 1.0, 0.0, 0.0), "chainrule.regional_3r(arm).postures(x, y, z)"),
     ],
 )

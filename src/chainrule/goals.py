@@ -64,9 +64,13 @@ def postures(arm: Arm, x: float, y: float, alpha: float) -> Postures:
                [ 53.13, -90.  ,  36.87]])
     """
     if checked_arm(arm).description.model.name != "planar_rrr":
+        space = (
+            "; in space ask chainrule.regional_3r(arm).postures(x, y, z)"
+            if arm.kinds == "RRR" and "x_alpha" not in arm.tasks
+            else ""
+        )
         raise InputError(
-            f"{arm.name}: a planar arm with three revolute joints is accepted; for one in space "
-            "chainrule.regional_3r(arm).postures(x, y, z) gives all postures of a point"
+            f"{arm.name}: the postures of a pose are known for planar arms with three revolute joints{space}"
         )
     target = real_array([x, y, alpha], "the pose (x, y, alpha)")
     if target.shape != (3,):
