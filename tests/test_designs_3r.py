@@ -72,6 +72,11 @@ def test_lengths_beyond_what_is_answered_are_refused(lengths):
         certified_cusps(["1e-390", 1, 1, 1])
 
 
+def test_the_outermost_lengths_are_accepted():
+    for lengths in ((1e100,) * 4, (1e-100,) * 4, (1.0, 1e-60, 1.0, 1.0), (1e40, 1e40, 1e100, 1e40)):
+        assert cr.orthogonal_3r(*lengths).cuspidal is exact_domain(*lengths).cuspidal
+
+
 def test_answers_are_right_as_far_as_lengths_are_accepted():
     """The exact domain counts cusps and nodes by the signs of other polynomials."""
     rng = np.random.default_rng(3)

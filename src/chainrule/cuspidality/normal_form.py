@@ -33,7 +33,7 @@ Array = NDArray[Any]
 PARALLEL, CROSSED = 1e-12, 1e-15
 #: The shortest and the longest length (m) other than 0, and how many times the shortest the longest may be: det J stays
 #: within double precision, and the exact answers take no longer than a second.
-SHORTEST, LONGEST, RATIO = Fraction(1, 10**100), Fraction(10**100), 10**60
+SHORTEST, LONGEST, RATIO = 1e-100, 1e100, 1e60
 
 ORTHOGONAL_3R = Model("orthogonal_3r", "orthogonal_3r", "RRR", ("d2", "d3", "d4", "r2"))
 
@@ -251,7 +251,7 @@ more than 1e60 times another, are accepted
         return
     first, last = min(given, key=given.__getitem__), max(given, key=given.__getitem__)
     shortest, longest = given[first], given[last]
-    if shortest >= SHORTEST and longest <= LONGEST and Fraction(longest) <= RATIO * Fraction(shortest):
+    if shortest >= SHORTEST and longest <= LONGEST and longest / shortest <= RATIO:
         return
     said = f"{first} = {_short(shortest)} m" + ("" if first == last else f" and {last} = {_short(longest)} m")
     raise InputError(
