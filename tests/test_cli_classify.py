@@ -31,6 +31,23 @@ def test_one_design(call, tmp_path):
     assert space.read_bytes().startswith(b"\x89PNG")
 
 
+@pytest.mark.parametrize(
+    ("lengths", "verdict", "way"),
+    [
+        ("1e-8,1e-7,1,1", "Cuspidal: 2 cusps and 1 node", "no change of posture is shown"),
+        ("1,1e6,1.5,1", "Cuspidal: 4 cusps and 0 nodes", "keeps det J from 0 is beyond double precision"),
+        ("1e-3,1,1.5,1", "Cuspidal: 4 cusps and 4 nodes", "proved in ball arithmetic"),
+    ],
+)
+def test_lengths_far_apart_keep_their_verdict(call, lengths, verdict, way):
+    """Cusps and nodes of the domains 3, 2 and 4, where doubles show no change of posture as well."""
+    code, out, err = call("classify", lengths)
+    assert (code, err) == (0, "")
+    assert verdict in out
+    assert way in out
+    assert "above 0 m" not in out
+
+
 def test_json_holds_everything(call):
     code, out, err = call("classify", "1 2 1.5 1", "--at", "2.5,0.5", "--json")
     assert (code, err) == (0, "")

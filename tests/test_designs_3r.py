@@ -13,18 +13,94 @@ from regional_arms import TURN, general, orthogonal, tip_and_determinant
 
 import chainrule as cr
 from chainrule import InputError
+from chainrule.cuspidality.cusps import certified_cusps
+from chainrule.cuspidality.domains import exact_domain
 
 FISH = (1.0, 2.0, 1.5, 1.0)
 
 
 def test_an_orthogonal_design_is_still_an_arm():
-    design, plain = cr.orthogonal_3r(*FISH), cr.load("orthogonal_3r_fig2a")
+    design, plain = cr.orthogonal_3r(*FISH), cr.Arm(cr.load("orthogonal_3r_fig2a").description)
     assert isinstance(design, cr.Arm)
     q = np.random.default_rng(31).uniform(-3.0, 3.0, (20, 3))
     np.testing.assert_array_equal(design.jacobian(q), plain.jacobian(q))
     np.testing.assert_array_equal(design.manipulability(q), plain.manipulability(q))
     assert design.default_task == "position"
     np.testing.assert_allclose(design.position(q), tip_and_determinant(design, q)[0], rtol=0, atol=1e-14)
+
+
+def test_a_loaded_orthogonal_arm_answers(tmp_path):
+    """By name and from a file; domains and cusps are those of the paper's figures 2 (a) and (b)."""
+    for name, domain, cusps in (("orthogonal_3r_fig2a", 2, 4), ("orthogonal_3r_fig2b", 3, 2)):
+        arm = cr.load(name)
+        assert (arm.name, arm.domain, len(arm.cusps()), arm.cuspidal) == (name, domain, cusps, True)
+        assert isinstance(pickle.loads(pickle.dumps(arm)), cr.Orthogonal3R)
+        assert isinstance(arm.with_limits(position=[(-1.0, 1.0)] * 3), cr.Orthogonal3R)
+    file = tmp_path / "mine.toml"
+    file.write_text(
+        'chainrule = 1\nname = "mine"\nangles = "rad"\n[orthogonal_3r]\nd2 = 1\nd3 = 0.5\nd4 = 2.5\nr2 = 0.5\n'
+    )
+    assert (cr.load(file).domain, cr.load(file).cuspidal) == (5, False)
+
+
+@pytest.mark.parametrize(
+    ("ask", "said"),
+    [
+        (
+            cr.posture_change_witness,
+            "six revolute joints in space are accepted; of three ask chainrule.regional_3r(arm)",
+        ),
+        (lambda arm: cr.postures(arm, 1.0, 0.0, 0.0), "chainrule.regional_3r(arm).postures(x, y, z)"),
+    ],
+)
+def test_other_questions_name_the_one_that_answers(ask, said):
+    twisted = cr.Arm.from_dh([("R", 0, 0, 0, 0), ("R", 1.2, 1, 0.3, 0), ("R", -0.9, 1.5, 0.2, 0)], tool=(1.2, 0, 0))
+    for arm in (cr.load("orthogonal_3r_fig2a"), twisted):
+        with pytest.raises(InputError) as refusal:
+            ask(arm)
+        assert said in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    "lengths", [(1e-308, 1e-300, 1, 1), (1e150,) * 4, (5e-324,) * 4, (1, 1, 1e-61, 1), (1e308, 1e308, 1e308, 5e-324)]
+)
+def test_lengths_beyond_what_is_answered_are_refused(lengths):
+    with pytest.raises(InputError, match="from 1e-100 to 1e100 m and none more than 1e60 times another") as refusal:
+        cr.orthogonal_3r(*lengths)
+    assert "\n" not in str(refusal.value)
+    with pytest.raises(InputError, match="1e60 times another"):
+        certified_cusps(["1e-390", 1, 1, 1])
+
+
+def test_the_outermost_lengths_are_accepted():
+    for lengths in ((1e100,) * 4, (1e-100,) * 4, (1.0, 1e-60, 1.0, 1.0), (1e40, 1e40, 1e100, 1e40)):
+        assert cr.orthogonal_3r(*lengths).cuspidal is exact_domain(*lengths).cuspidal
+
+
+def test_answers_are_right_as_far_as_lengths_are_accepted():
+    """The exact domain counts cusps and nodes by the signs of other polynomials."""
+    rng = np.random.default_rng(3)
+    for _ in range(12):
+        lengths = rng.uniform(1.0, 2.0, 4) * 10.0 ** rng.choice([-30.0, 29.5, *rng.uniform(-30.0, 29.5, 2)], 4)
+        design, place = cr.orthogonal_3r(*lengths), exact_domain(*lengths)
+        assert len(design.cusps()) == place.cusps
+        assert place.nodes in (None, len(design.nodes()))
+        assert design.cuspidal is place.cuspidal
+
+
+@pytest.mark.parametrize("lengths", [(1e-8, 1e-7, 1.0, 1.0), (1.0, 1e20, 1.5, 1.0)])
+def test_a_cuspidal_arm_is_not_called_otherwise_for_want_of_digits(lengths):
+    design = cr.orthogonal_3r(*lengths)
+    assert exact_domain(*lengths).cuspidal is design.cuspidal is True
+    assert design.example() is None
+    with pytest.raises(InputError, match="the arm is cuspidal, but double precision"):
+        design.posture_change()
+
+
+def test_an_example_has_two_postures():
+    """With d2 = 1e-15 two postures are one to the last digit: the pair must be another, or none."""
+    found = cr.orthogonal_3r(1e-15, 1.0, 1.5, 1.0).example()
+    assert found is None or np.abs(np.sin(np.diff(found.postures, axis=0) / 2.0)).max() > 1e-7
 
 
 def test_copies_keep_everything():

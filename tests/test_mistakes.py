@@ -41,6 +41,25 @@ def process(code, **options):
     )
 
 
+def test_an_interrupt_while_modules_are_imported_is_quiet():
+    """Ctrl-C when the first large module is looked for; an error there still shows its traceback."""
+    code = """
+import sys
+class Finder:
+    def find_spec(self, name, *rest):
+        if name == "typer":
+            raise {error}
+sys.meta_path.insert(0, Finder())
+from chainrule.cli import main
+main()
+"""
+    done = process(code.format(error="KeyboardInterrupt"))
+    assert (done.returncode, done.stderr) == (130, "")
+    done = process(code.format(error="ZeroDivisionError"))
+    assert done.returncode == 1
+    assert "Traceback" in done.stderr
+
+
 # ---- on the command line -----------------------------------------------------------------------------------------
 
 
@@ -68,7 +87,19 @@ def process(code, **options):
             "limit of joint1, joint2, joint3",
         ),
         (("track", "planar_3r", "--circle", "0.1", "--gain", "inf"), "gain: inf"),
-        (("classify", "1e308,1e308,1e308,1e308"), "beyond the range of double precision"),
+        (
+            ("classify", "1e308,1e308,1e308,1e308"),
+            "d2 = 1e+308 m; lengths of 0, or from 1e-100 to 1e100 m and none more than",
+        ),
+        (
+            ("classify", "1e-308,1e-300,1,1"),
+            "d2 = 1e-308 m and d4 = 1 m; lengths of 0, or from 1e-100 to 1e100 m and none",
+        ),
+        (
+            ("classify", "5e-324,1,1,1e308", "--exact"),
+            "d2 = 4.94066e-324 m and r2 = 1e+308 m; lengths of 0, or from 1e-100",
+        ),
+        (("classify", "1e-320,0,0,0"), "d2 = 9.99989e-321 m; lengths of 0, or from 1e-100 to 1e100 m"),
         (("min-time", "free.toml", "--from", "0,0,0", "--to", "1,1,1", "--velocity", "1,2"), "one, or one for each"),
     ],
 )

@@ -48,6 +48,25 @@ def pair(design, rng, alike=True):
 
 
 @pytest.mark.parametrize("family", [orthogonal, general])
+def test_configurations_of_different_points_are_joined_and_told_apart(family):
+    """same_point against the tip from the definitions alone."""
+    rng = np.random.default_rng(12)
+    for _ in range(4):
+        design = family(rng)
+        change = design.posture_change(*pair(design, rng))
+        assert change.exists
+        assert not change.same_point
+        q = rng.uniform(-math.pi, math.pi, 3)
+        point, _ = tip_and_determinant(design, q)
+        every = design.postures(*point)
+        assert all(design.posture_change(every[0], other).same_point for other in every[1:])
+        turned = q + np.array([0.1, 0.0, 0.0])  # as far from axis 1 and as high, elsewhere
+        change = design.posture_change(q, turned)
+        assert (change.exists, change.same_point) == (True, False)
+        assert change.to_dict()["same_point"] is False
+
+
+@pytest.mark.parametrize("family", [orthogonal, general])
 def test_paths_keep_the_sign_and_end_at_the_postures(family):
     rng = np.random.default_rng(11)
     shares = []

@@ -14,6 +14,7 @@ from scipy.spatial.transform import Rotation
 import chainrule as cr
 from chainrule.errors import DescriptionError, InputError
 from chainrule.redundancy.curves import Conic, Interpolated
+from chainrule.redundancy.path_files import from_toml
 from chainrule.redundancy.time_laws import Constant, Sampled, Trapezoid
 
 RNG = np.random.default_rng(6)
@@ -47,6 +48,23 @@ PLANAR: dict[str, cr.TaskPath] = {
 def inner_times(path: cr.TaskPath) -> Any:
     """Times away from the places where a velocity jumps (they are few, and random times miss them)."""
     return np.sort(np.random.default_rng(1).uniform(0.02, 0.98, 40)) * path.duration
+
+
+@pytest.mark.parametrize("quarters", [4, 5, 8, 12, -7, 400])
+def test_several_turns_may_be_meant(quarters):
+    """So many quarter turns, in Python and in a file in degrees; at most a turn for other angles."""
+    arc = cr.TaskPath.arc((0.0, 0.0, 0.0), 0.5, start=0.3, end=0.3 + quarters * np.pi / 2.0, speed=0.1)
+    assert arc.length == pytest.approx(abs(quarters) * np.pi / 4.0, rel=1e-12)
+    text = f"""task_path = 1
+kind = "arc"
+angles = "deg"
+centre = [0, 0, 0]
+radius = 0.5
+end = {90 * quarters}
+time.speed = 0.1
+"""
+    assert from_toml(text.encode()).length == pytest.approx(arc.length, rel=1e-12)
+    assert cr.TaskPath.arc((0.0, 0.0, 0.0), 1.0, start=5.0, end=11.2, speed=0.1).length == pytest.approx(6.2)
 
 
 @pytest.mark.parametrize("name", SPATIAL)
@@ -217,6 +235,9 @@ def test_no_times_no_targets() -> None:
         ),
         (lambda: cr.TaskPath.arc((0.0, 0.0, 0.0), 0.0, duration=1.0), "a positive length"),
         (lambda: cr.TaskPath.arc((0.0, 0.0, 0.0), 1.0, end=0.0, duration=1.0), "two angles are accepted"),
+        (lambda: cr.TaskPath.arc((0.0, 0.0, 0.0), 1.0, end=180, duration=1.0), "28.6 turns; rad are accepted"),
+        (lambda: cr.TaskPath.arc((0.0, 0.0, 0.0), 1.0, start=90, end=-90.0, duration=1.0), "-28.6 turns; rad are"),
+        (lambda: cr.TaskPath.ellipse((0.0, 0.0, 0.0), (2, 1), end=360, duration=1.0), "57.3 turns; rad are accepted"),
         (lambda: cr.TaskPath.arc((0.0, 0.0, 0.0), 1.0, x=(1.0, 1.0, 0.0), duration=1.0), "not square"),
         (lambda: cr.TaskPath.spline([[0.0, 0.0, 0.0]], duration=1.0), "k from 3"),
         (lambda: cr.TaskPath.spline([[0.0, 0.0], [0.0, 0.0], [1.0, 0.0]], duration=1.0), "numbers 1 and 2 are one"),

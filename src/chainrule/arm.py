@@ -496,6 +496,8 @@ def checked_arm(value: Any) -> Arm:
 def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | None = None) -> Arm:
     """An arm by name or from a file.
 
+    An orthogonal 3R arm is a :class:`chainrule.Orthogonal3R`, as :func:`chainrule.orthogonal_3r` makes it.
+
     Args:
         source: an embedded arm's name (:func:`chainrule.arms.names`), or the path of a ``.toml`` or ``.urdf`` file.
         tip: for a URDF, the link the chain ends in (needed where the tree has several leaves).
@@ -508,6 +510,8 @@ def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | 
     Example:
         >>> load("panda")
         <Arm panda: 7 joints (RRRRRRR)>
+        >>> load("orthogonal_3r_fig2a").cuspidal
+        True
     """
     if not isinstance(source, str | os.PathLike):
         raise InputError(f"an arm is loaded by its name or from a .toml or .urdf file, not from {shown(source)}")
@@ -515,10 +519,19 @@ def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | 
     if isinstance(source, str) and text in embedded.names():
         if tip is not None or base is not None:
             raise InputError(f"{text}: tip and base are accepted for a .urdf only; an embedded arm is one chain")
-        return Arm(read(embedded.path(text)))
+        return _of(read(embedded.path(text)))
     if isinstance(source, str) and not text.lower().endswith((".toml", ".urdf", ".xacro")) and not os.path.exists(text):
         embedded.path(text)  # raises, with the list of names
-    return Arm(read(source, tip=tip, base=base))
+    return _of(read(source, tip=tip, base=base))
+
+
+def _of(description: Description) -> Arm:
+    """The arm of a description; an orthogonal 3R arm answers for its cusps and postures as well."""
+    if isinstance(description.geometry, Orthogonal3R):
+        from chainrule.cuspidality.designs import Orthogonal3R as Design
+
+        return Design(description)
+    return Arm(description)
 
 
 def planar_3r(l1: float, l2: float, l3: float) -> Arm:

@@ -14,25 +14,28 @@ import warnings
 from collections.abc import Sequence
 from typing import Annotated, Any
 
-import typer
+try:
+    import typer
 
-from chainrule.commands import (  # noqa: F401  each adds its commands to the application
-    arms,
-    classify,
-    follow,
-    four_joints,
-    generate,
-    manipulability,
-    min_time,
-    report,
-    reproduce,
-    self_motion,
-    speed_ratios,
-    track,
-    workspace,
-)
-from chainrule.console import app, complain, say
-from chainrule.errors import GenerationError, InputError
+    from chainrule.commands import (  # noqa: F401  each adds its commands to the application
+        arms,
+        classify,
+        follow,
+        four_joints,
+        generate,
+        manipulability,
+        min_time,
+        report,
+        reproduce,
+        self_motion,
+        speed_ratios,
+        track,
+        workspace,
+    )
+    from chainrule.console import app, complain, say
+    from chainrule.errors import GenerationError, InputError
+except KeyboardInterrupt:  # before there is anything to say it with
+    raise SystemExit(130) from None
 
 
 def _version(wanted: bool) -> None:

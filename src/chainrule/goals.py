@@ -64,7 +64,14 @@ def postures(arm: Arm, x: float, y: float, alpha: float) -> Postures:
                [ 53.13, -90.  ,  36.87]])
     """
     if checked_arm(arm).description.model.name != "planar_rrr":
-        raise InputError(f"{arm.name}: the postures of a pose are known for planar arms with three revolute joints")
+        space = (
+            "; in space ask chainrule.regional_3r(arm).postures(x, y, z)"
+            if arm.kinds == "RRR" and "x_alpha" not in arm.tasks
+            else ""
+        )
+        raise InputError(
+            f"{arm.name}: the postures of a pose are known for planar arms with three revolute joints{space}"
+        )
     target = real_array([x, y, alpha], "the pose (x, y, alpha)")
     if target.shape != (3,):
         raise InputError(f"the pose (x, y, alpha): arrays of shape {target.shape[1:]}; three numbers are accepted")

@@ -149,7 +149,8 @@ def _one(
     with progressing() as progress:
         progress("looking for cusps and nodes")
         said = tables.verdict(design)
-        change = design.posture_change() if design.cuspidal else None
+        example = design.example() if design.cuspidal else None
+        change = None if example is None else design.posture_change(*example.postures)
         if figure is not None:
             from chainrule.plot.cuspidality import draw_design
 
@@ -177,6 +178,8 @@ def _one(
     print_table(tables.aspects_table(design))
     if change is not None:
         say(tables.change_in_words(change))
+    elif design.cuspidal:
+        say(tables.NO_EXAMPLE)
     if point is not None and postures is not None:
         print_table(tables.postures_table(design, postures))
     for path in (figure, domains):

@@ -24,6 +24,10 @@ Array = NDArray[Any]
 
 #: Samples of a singular curve on either side of a cusp, and places along both sides of a grid over the cross-section.
 BESIDE, GRID = 60, 64
+#: Where floating point decides no place, every so many are decided exactly (no divisor of the two above).
+THINNED = 17
+#: Postures nearer than this in every joint (rad) are not told apart.
+APART = 1e-6
 
 
 @dataclass(frozen=True)
@@ -50,7 +54,8 @@ def example(regional: Regional, cusps: Array) -> Example | None:
 
     Three postures meet in a cusp, and the outer two of them share an aspect beside it: in the wedge, often a thin one,
     between the two branches of the singular curve's image. So points halfway between both branches are tried, and a
-    grid over the cross-section. None where no point has two postures in one aspect.
+    grid over the cross-section. None where no point has two postures in one aspect; also where double precision does
+    not tell such postures from singular ones, as of a cuspidal arm with a length of 1e-9 of the others.
 
     Args:
         regional: the arm.
@@ -60,12 +65,21 @@ def example(regional: Regional, cusps: Array) -> Example | None:
     rho, z = np.meshgrid(np.linspace(0.0, reach, GRID + 1)[1:], np.linspace(-reach, reach, GRID))
     places = np.concatenate([np.stack([rho.ravel(), z.ravel()], axis=-1), *_in_wedges(regional, cusps)])
     places = places[places[:, 0] > 0.0]
-    theta = regional.section_postures(np.stack([places[:, 0], np.zeros(len(places)), places[:, 1]], axis=-1))
+    points = np.stack([places[:, 0], np.zeros(len(places)), places[:, 1]], axis=-1)
+    found = _best(regional, points, exactly=False)  # the best place is far from what floating point leaves open
+    return found or (_best(regional, points[::THINNED], exactly=True) if len(cusps) else None)
+
+
+def _best(regional: Regional, points: Array, *, exactly: bool) -> Example | None:
+    """Of ``points`` (k, 3) the one whose two postures in one aspect have the largest least |det J|."""
+    theta = regional.section_postures(points, exactly=exactly)
     labels = aspect_of(regional, regional.from_normal(theta))
     size = np.abs(regional.determinant(theta[..., 1], theta[..., 2]))
     best, found = 0.0, None
     for i, j in combinations(range(theta.shape[1]), 2):
-        least = np.where((labels[:, i] == labels[:, j]) & (labels[:, i] >= 0), np.minimum(size[:, i], size[:, j]), 0.0)
+        alike = (labels[:, i] == labels[:, j]) & (labels[:, i] >= 0)
+        alike &= 2.0 * np.abs(np.sin((theta[:, i] - theta[:, j]) / 2.0)).max(axis=-1) > APART
+        least = np.where(alike, np.minimum(size[:, i], size[:, j]), 0.0)
         place = int(least.argmax())
         if least[place] > best:
             best, found = float(least[place]), (place, i, j)
@@ -74,7 +88,7 @@ def example(regional: Regional, cusps: Array) -> Example | None:
     place, i, j = found
     pair = theta[place, [i, j]]
     sign = int(np.sign(regional.determinant(pair[0, 1], pair[0, 2])))
-    return Example(places[place], regional.from_normal(pair), sign)
+    return Example(points[place, [0, 2]], regional.from_normal(pair), sign)
 
 
 def _in_wedges(regional: Regional, cusps: Array) -> list[Array]:

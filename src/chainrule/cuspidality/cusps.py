@@ -211,7 +211,7 @@ def float_place(square: Any, z: Any) -> tuple[float, float, float]:
 
 def _places(functions: _Functions, root: Root, on_axis: bool) -> list[tuple[float, float, float]]:
     """(rho, z) of a triple root with a bound on the error, for both signs of z where there are two."""
-    aim = _AIM * max(abs(float(x.p) / float(x.q)) for x in functions.given[-5:])
+    aim = _AIM * max(abs(int(x.p) / int(x.q)) for x in functions.given[-5:])
     bits = _BITS
     while True:
         with precision(bits):

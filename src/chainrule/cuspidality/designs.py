@@ -177,7 +177,8 @@ class Regional3R:
     def posture_change(self, a: Any = None, b: Any = None) -> PostureChange:
         """A smooth joint path from ``a`` to ``b`` (3,) without a singularity, with a proof; or why there is none.
 
-        Without ``a`` and ``b`` the postures of :meth:`example` are taken.
+        A change of posture where both reach one point (:attr:`PostureChange.same_point`); any two configurations of
+        one aspect can be joined. Without ``a`` and ``b`` the postures of :meth:`example` are taken.
 
         Raises:
             InputError: only one of the two is given, or none where the arm is not cuspidal.
@@ -194,7 +195,10 @@ class Regional3R:
         if a is None and b is None:
             found = self.example()
             if found is None:
-                raise InputError("no point has two postures in one aspect: the arm is not cuspidal; give a and b")
+                why = "the arm is not cuspidal"
+                if self.cuspidal:
+                    why = "the arm is cuspidal, but double precision does not tell them from singular ones"
+                raise InputError(f"no point was found with two postures in one aspect: {why}; give a and b")
             a, b = found.postures
         elif a is None or b is None:
             raise InputError("a and b: both configurations, or none of them, are accepted")

@@ -36,7 +36,8 @@ def six_joints(arm: Any) -> Arm:
         raise InputError(f"arm: {shown(arm)}; an Arm with six revolute joints is accepted")
     if arm.kinds != "RRRRRR" or arm.tasks.get("pose") != 6:
         where = "" if arm.tasks.get("pose") == 6 else " in a plane"
-        raise InputError(f"{arm.name}: joints {arm.kinds}{where}; six revolute joints in space are accepted")
+        three = "; of three ask chainrule.regional_3r(arm)" if arm.kinds == "RRR" and not where else ""
+        raise InputError(f"{arm.name}: joints {arm.kinds}{where}; six revolute joints in space are accepted{three}")
     return arm
 
 

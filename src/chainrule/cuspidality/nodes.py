@@ -209,7 +209,7 @@ def _placed(parameters: Array, square: Any, z: Any, kind: str) -> Node:
 
 
 def _size(parameters: Array) -> float:
-    return max(abs(float(x.p) / float(x.q)) for x in parameters[4:])
+    return max(abs(int(x.p) / int(x.q)) for x in parameters[4:])
 
 
 # ---- the point on axis 2 -----------------------------------------------------------------------------------------

@@ -9,8 +9,10 @@ sa3 = 1: the orthogonal family of Baili, Wenger and Chablat.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from decimal import Decimal
+from fractions import Fraction
 from functools import cache, cached_property
 from runpy import run_path
 from typing import Any
@@ -29,6 +31,9 @@ Array = NDArray[Any]
 
 #: A sine of a twist below the first counts as 0 (parallel axes), and a cosine below the second (a right angle).
 PARALLEL, CROSSED = 1e-12, 1e-15
+#: The shortest and the longest length (m) other than 0, and how many times the shortest the longest may be: det J stays
+#: within double precision, and the exact answers take no longer than a second.
+SHORTEST, LONGEST, RATIO = 1e-100, 1e100, 1e60
 
 ORTHOGONAL_3R = Model("orthogonal_3r", "orthogonal_3r", "RRR", ("d2", "d3", "d4", "r2"))
 
@@ -54,6 +59,9 @@ class Regional:
     frame: Transform = field(default_factory=Transform)
     name: str = "arm"
 
+    def __post_init__(self) -> None:
+        check_lengths(self.name, self.parameters[4:])
+
     @classmethod
     def of(cls, arm: Arm | Description, joints: int = 3, tip: Any = None) -> Regional:
         """The normal form of the first three joints of an arm.
@@ -64,7 +72,8 @@ class Regional:
             tip: the point (3,) in the frame of the third link, in m; for an arm of three joints its tool when absent.
 
         Raises:
-            InputError: fewer than three joints, prismatic ones among the first three, no tip where one is needed.
+            InputError: fewer than three joints, prismatic ones among the first three, no tip where one is needed,
+                lengths beyond 1e-100 to 1e100 m or more than 1e60 times one another.
 
         Example:
             >>> from chainrule import orthogonal_3r
@@ -171,11 +180,21 @@ class Regional:
         found[..., 0] = np.sqrt(found[..., 0])
         return found
 
-    def section_postures(self, points: Any) -> Array:
-        """Postures (..., 4, 3) in angles of the normal form, at ``points`` (..., 3) of its frame."""
+    def point(self, theta: Any) -> Array:
+        """The point (..., 3) that angles ``theta`` (..., 3) of the normal form reach, in its frame, m."""
+        given = np.asarray(theta, float)
+        x, y, z = np.moveaxis(evaluator("unturned")(self.values, *_turns(given[..., 1], given[..., 2])), -1, 0)
+        c, s = np.cos(given[..., 0]), np.sin(given[..., 0])
+        return np.stack([c * x - s * y, s * x + c * y, z], axis=-1)
+
+    def section_postures(self, points: Any, *, exactly: bool = True) -> Array:
+        """Postures (..., 4, 3) in angles of the normal form, at ``points`` (..., 3) of its frame.
+
+        Without ``exactly`` points that floating point does not decide have none.
+        """
         from chainrule.cuspidality.postures import section
 
-        return section(self, real_array(points, "points")).theta
+        return section(self, real_array(points, "points"), exactly=exactly).theta
 
     @cached_property
     def rationals(self) -> Array:
@@ -211,6 +230,40 @@ class Regional:
         """As :meth:`determinant`, exactly, from cosines and sines (..., 2) of theta2 and theta3."""
         found: Array = self.orientation * self.exactly("determinant", shoulders, elbows)
         return found
+
+
+def check_lengths(name: str, lengths: Sequence[float | Fraction]) -> None:
+    """Refuse lengths (d2, d3, d4, r2, r3) that are too far from one another, or from 1 m, for the answers to be right.
+
+    Raises:
+        InputError: names the shortest and the longest.
+
+    Example:
+        >>> check_lengths("arm", (1.0, 0.0, 1e-61, 1.0, 0.0))
+        Traceback (most recent call last):
+        ...
+        chainrule.errors.InputError: arm: d4 = 1e-61 m and d2 = 1 m; lengths of 0, or from 1e-100 to 1e100 m and none \
+more than 1e60 times another, are accepted
+    """
+    names = REGIONAL_3R.parameter_names[4:]
+    given = {name: max(length, -length) for name, length in zip(names, lengths, strict=True) if length != 0}
+    if not given:
+        return
+    first, last = min(given, key=given.__getitem__), max(given, key=given.__getitem__)
+    shortest, longest = given[first], given[last]
+    if shortest >= SHORTEST and longest <= LONGEST and longest / shortest <= RATIO:
+        return
+    said = f"{first} = {_short(shortest)} m" + ("" if first == last else f" and {last} = {_short(longest)} m")
+    raise InputError(
+        f"{name}: {said}; lengths of 0, or from 1e-100 to 1e100 m and none more than 1e60 times another, are accepted"
+    )
+
+
+def _short(length: float | Fraction) -> str:
+    """Six digits, also of a fraction that no double is near."""
+    if isinstance(length, Fraction):
+        return f"{Decimal(f'{Decimal(length.numerator) / Decimal(length.denominator):.6g}').normalize():g}"
+    return f"{length:g}"
 
 
 # ---- generated functions -----------------------------------------------------------------------------------------

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.cuspidality.exact import rational, sign
-from chainrule.cuspidality.normal_form import ORTHOGONAL_3R, Regional
+from chainrule.cuspidality.normal_form import ORTHOGONAL_3R, Regional, check_lengths
 from chainrule.description import REGIONAL_3R
 from chainrule.errors import InputError
 
@@ -25,7 +26,8 @@ def exact_parameters(given: Any) -> Array:
             :func:`chainrule.cuspidality.exact.rational` takes.
 
     Raises:
-        InputError: another number of entries, an entry that is no such number, or twists off the unit circle.
+        InputError: another number of entries, an entry that is no such number, twists off the unit circle, or lengths
+            that :func:`chainrule.cuspidality.normal_form.check_lengths` refuses.
 
     Example:
         >>> exact_parameters([1, 2, "1.5", 1])[:7].tolist()
@@ -47,6 +49,7 @@ def exact_parameters(given: Any) -> Array:
             raise InputError(
                 f"{name}: cosine {found[k]} and sine {found[k + 1]}; squares that add up to 1 are accepted"
             )
+    check_lengths("a 3R arm", [Fraction(int(length.p), int(length.q)) for length in found[4:]])
     return found
 
 

@@ -35,13 +35,18 @@ CONTROL_POINTS, MOST_CONTROL_POINTS = 48, 12288
 PLACES, ROUNDS, PUSH = 1024, 80, 0.3
 #: The share of the best possible min |det J| that tightening leaves.
 KEPT = 0.75
+#: Two postures reach one point if they reach it to this share of the arm's size.
+SAME = 1e-9
 #: Degree of the spline.
 DEGREE = 3
 
 
 @dataclass(frozen=True)
 class PostureChange:
-    """The answer to: can the arm go from one posture to the other without meeting a singularity?
+    """The answer to: can the arm go from one configuration to the other without meeting a singularity?
+
+    Any two configurations may be asked about: what counts is whether they are in one aspect. It is a change of posture
+    where both reach one point (:attr:`same_point`).
 
     Attributes:
         start: (3,) rad, the posture the path begins at.
@@ -74,6 +79,12 @@ class PostureChange:
         """Whether there is a path."""
         return self.path is not None
 
+    @property
+    def same_point(self) -> bool:
+        """Whether start and goal reach one point, to 1e-9 of the arm's size: two postures of it."""
+        start, goal = self._regional.point(self._regional.to_normal(np.stack([self.start, self.goal])))
+        return bool(np.abs(goal - start).max() <= SAME * self._regional.size)
+
     def sample(self, s: Any, derivative: int = 0) -> Array:
         """The configurations q (..., 3) at ``s`` (...) from 0 to 1, or their derivative by s.
 
@@ -97,8 +108,8 @@ class PostureChange:
     def encircled(self, points: Any) -> Array:
         """How often the path's image runs round each of ``points`` (k, 2) of the cross-section: (k,), left positive.
 
-        Meaningful where both postures reach the same point, so that the image is closed; the cusp it runs round is
-        what makes the change possible.
+        Meaningful where both postures reach the same point (:attr:`same_point`), so that the image is closed; the cusp
+        it runs round is what makes the change possible.
         """
         around = self.image(2000)[None] - real_array(points, "points").reshape(-1, 1, 2)
         turned = np.unwrap(np.arctan2(around[..., 1], around[..., 0]), axis=-1)
@@ -111,6 +122,7 @@ class PostureChange:
             "start": self.start.tolist(),
             "goal": self.goal.tolist(),
             "exists": self.exists,
+            "same_point": self.same_point,
             "path": None if self.path is None else self.path.tolist(),
             "knots": None if (found := self.knots) is None else found.tolist(),
             "reason": self.reason,
@@ -123,6 +135,8 @@ class PostureChange:
 
 def posture_change(regional: Regional, a: Any, b: Any) -> PostureChange:
     """A smooth path from configuration ``a`` to ``b`` (3,) that meets no singularity, or why there is none.
+
+    They need not reach one point: any two configurations of one aspect can be joined.
 
     Joint limits play no part; joint 1, which has no part in det J, goes the shorter way.
 

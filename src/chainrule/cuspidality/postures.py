@@ -150,8 +150,11 @@ def number_of_postures(regional: Regional, rho: Any, z: Any) -> Array:
 # ---- in the normal form --------------------------------------------------------------------------------------------
 
 
-def section(regional: Regional, points: Array) -> Section:
-    """Postures in angles of the normal form at ``points`` (..., 3) of its frame."""
+def section(regional: Regional, points: Array, *, exactly: bool = True) -> Section:
+    """Postures in angles of the normal form at ``points`` (..., 3) of its frame.
+
+    Without ``exactly`` points that floating point does not decide are given none.
+    """
     _refuse(regional)
     values, factor = _scaled(regional)
     flat, decided = points.reshape(-1, 3), 0
@@ -165,7 +168,7 @@ def section(regional: Regional, points: Array) -> Section:
             far = ~((scaled * scaled).sum(axis=-1) <= 16.0)  # the arm's size is less than 2
         scaled[far] = 0.0
         found, loose, doubtful = (
-            _in_closed_form(values, scaled) if closed_form else _from_quartic(values, exact, scaled, pivots)
+            _in_closed_form(values, scaled) if closed_form else _from_quartic(values, exact, scaled, pivots, exactly)
         )
         found[far], loose[far] = np.nan, False
         theta[start : start + BLOCK], free[start : start + BLOCK, 1:] = found, loose
@@ -222,7 +225,7 @@ def _sorted(angles: Array) -> Array:
 
 
 def _from_quartic(
-    values: Array, exact: Array, points: Array, pivots: list[tuple[float, Array]]
+    values: Array, exact: Array, points: Array, pivots: list[tuple[float, Array]], exactly: bool
 ) -> tuple[Array, Array, int]:
     """Postures (k, 4, 3) by rising theta3, whether theta2 and theta3 are free (k, 2), how many were decided exactly."""
     angles, room, closure, slope, number, margin = evaluator("postures")(values, points)
@@ -230,7 +233,7 @@ def _from_quartic(
     touching = np.zeros(len(points), bool)
     for _, target in pivots:
         touching |= np.hypot(np.hypot(points[:, 0], points[:, 1]) - target[0], points[:, 2] - target[1]) <= CLOSED
-    doubtful, rest = np.flatnonzero(~clear), touching.copy()
+    doubtful, rest = np.flatnonzero(~clear & exactly), touching | (~clear & (not exactly))
     for k, coefficients in zip(doubtful, _quartics(exact, points[doubtful]), strict=True):
         known = _number(coefficients)
         rest[k] |= known is None
@@ -244,6 +247,9 @@ def _from_quartic(
     known = np.arange(4) < number[:, None]
     rest |= ~((closed | ~known).all(axis=-1) & _separate(angles[..., 2], slope, known, clear))
     free = np.zeros((len(points), 2), bool)
+    if not exactly:
+        angles[rest] = np.nan
+        return angles, free, 0
     for k in np.flatnonzero(rest):
         found, free[k, 1] = _exactly(values, exact, points[k])
         if touching[k]:

@@ -13,6 +13,11 @@ if TYPE_CHECKING:
     from chainrule.cuspidality.designs import Regional3R
     from chainrule.cuspidality.posture_change import PostureChange
 
+#: In place of a change of posture, of an arm that is cuspidal by a hair.
+NO_EXAMPLE = (
+    "Double precision does not tell two postures in one aspect from singular ones: no change of posture is shown."
+)
+
 
 def verdict(design: Regional3R) -> str:
     """Whether the arm is cuspidal and why, in one or two sentences.
@@ -89,6 +94,11 @@ def change_in_words(change: PostureChange) -> str:
     """What came of asking for a change of posture."""
     if not change.exists:
         return f"There is no change of posture without a singularity: {change.reason}."
+    if not change.smallest_determinant > 0.0:
+        return (
+            f"{_angles(change.start)} and {_angles(change.goal)} are in one aspect; that the way found between them "
+            "keeps det J from 0 is beyond double precision."
+        )
     proof = "proved in ball arithmetic" if change.certified else "sampled, not proved"
     return (
         f"The way from {_angles(change.start)} to {_angles(change.goal)} keeps |det J| above "

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.arm import Arm
-from chainrule.description import Description, Serial, Transform
+from chainrule.description import Description, Planar, Serial, Transform
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 
@@ -108,7 +108,7 @@ def wrist(arm: Arm | Description) -> Wrist:
         raise InputError(f"arm: {shown(arm)}; an Arm or a Description with six revolute joints is accepted")
     geometry = description.geometry
     if not isinstance(geometry, Serial) or description.kinds != "RRRRRR":
-        where = "" if isinstance(geometry, Serial) else " in a plane"
+        where = " in a plane" if isinstance(geometry, Planar) else ""
         raise InputError(f"{description.name}: joints {description.kinds}{where}; six revolute joints are accepted")
     near = MEET * sum(float(np.linalg.norm(t.translation)) for t in (*geometry.placements, geometry.tool))
     last = _common_point(geometry.placements[4], geometry.placements[5], near, (4, 5, 6))

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 from chainrule.paths import Path, real_number
+from chainrule.readers.parts import FULL_TURN
 from chainrule.redundancy import curves
 from chainrule.redundancy.curves import SpaceCurve
 from chainrule.redundancy.time_laws import TimeLaw, timed
@@ -109,10 +110,18 @@ class TaskPath:
             centre: (3,) or (2,), m.
             radius: m.
             start: rad.
-            end: rad; smaller than ``start`` for the other way round.
+            end: rad; smaller than ``start`` for the other way round. Up to a full turn from it, or any number of
+                quarter turns; other angles were meant in degrees, and are refused.
             x: (3,) direction of theta = 0; the x axis when absent.
             y: (3,) direction of theta = pi / 2, square to ``x``; the y axis when absent.
             options: time law and orientation.
+
+        Example:
+            >>> TaskPath.arc((0.5, 0.0, 0.4), 0.1, end=180, duration=1.0)
+            Traceback (most recent call last):
+            ...
+            chainrule.errors.InputError: start and end: 0 to 180 rad are 28.6 turns; rad are accepted, up to a full \
+turn or any number of quarter turns, and degrees in a TOML file that says angles = "deg"
         """
         return cls._ring("arc", centre, (radius, radius), start, end, x, y, options)
 
@@ -166,6 +175,12 @@ class TaskPath:
         if not min(a, b) > 0.0:
             raise InputError(f"{name}: {min(a, b):g}; a positive length is accepted")
         begin, stop = real_number(start, "start"), real_number(end, "end")
+        turns = (stop - begin) / (2.0 * np.pi)
+        if abs(stop - begin) > FULL_TURN and abs(4.0 * turns - round(4.0 * turns)) > ROUNDING * abs(turns):
+            raise InputError(
+                f"start and end: {begin:g} to {stop:g} rad are {turns:.3g} turns; rad are accepted, up to a full turn "
+                'or any number of quarter turns, and degrees in a TOML file that says angles = "deg"'
+            )
         size = {name: [a, b]} if kind == "ellipse" else {name: a}
         made_of = {"kind": kind, "centre": middle, **size, "start": begin, "end": stop, "x": first, "y": second}
         return cls._made(curves.Conic(middle, a * first, b * second, begin, stop), made_of, options)

@@ -34,7 +34,8 @@ def _build(arm: Arm, context: Context) -> Part:
         return _searched(arm, context)
     context.progress("looking for cusps, nodes and aspects")
     design = regional_3r(arm)
-    change = design.posture_change() if design.cuspidal else None
+    example = design.example() if design.cuspidal else None
+    change = None if example is None else design.posture_change(*example.postures)
     blocks: list[Block] = [Finding(tables.verdict(design), tone="bad" if design.cuspidal else "good")]
     blocks += [Prose(line) for line in design.words()]
     if arm.n == 6:
@@ -53,6 +54,8 @@ def _build(arm: Arm, context: Context) -> Part:
     if change is not None:
         caption += " The red way changes the posture without crossing a singular curve; its image runs round a cusp."
         blocks.append(Prose(tables.change_in_words(change)))
+    elif design.cuspidal:
+        blocks.append(Prose(tables.NO_EXAMPLE))
     blocks.append(Picture(Markup(drawn), caption))
     if len(design.cusps()) or len(design.nodes()):
         blocks.append(Grid(tables.points_table(design)))
