@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 from flint import fmpq, fmpq_poly
 
-from chainrule.arm import Arm, load, planar_3r
+from chainrule.arm import Arm, planar_3r
 from chainrule.cuspidality.normal_form import ORTHOGONAL_3R, Regional, evaluator
 from chainrule.cuspidality.postures import number_of_postures, postures
 from chainrule.errors import InputError
+from chainrule.loading import load
 from chainrule.readers import dh, families
 
 RIGHT = np.pi / 2

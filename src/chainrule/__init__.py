@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from chainrule.arm import Arm, Limits, load, planar, planar_3r
+    from chainrule.arm import Arm, Limits, planar, planar_3r
     from chainrule.compile import NoCompilerWarning
     from chainrule.cuspidality.classify import classify_orthogonal_3r
     from chainrule.cuspidality.designs import FreeJointWarning, Orthogonal3R, Regional3R, orthogonal_3r, regional_3r
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from chainrule.four_joints import speed_ratios_4, speed_ratios_4_each
     from chainrule.goals import FastestMove, Postures, fastest, postures
     from chainrule.higher_order import motion_ratios
+    from chainrule.loading import load
     from chainrule.manipulability import ManipulabilityMap, Maximum, manipulability_map, max_manipulability
     from chainrule.parametric_paths import Curve, Ellipse, Spline
     from chainrule.paths import Arc, Circle, Line
@@ -123,7 +124,8 @@ __all__ = [
 ]
 
 _HOMES = {
-    **dict.fromkeys(("Arm", "Limits", "load", "planar", "planar_3r"), "chainrule.arm"),
+    **dict.fromkeys(("Arm", "Limits", "planar", "planar_3r"), "chainrule.arm"),
+    "load": "chainrule.loading",
     "classify_orthogonal_3r": "chainrule.cuspidality.classify",
     **dict.fromkeys(
         ("FreeJointWarning", "Orthogonal3R", "Regional3R", "orthogonal_3r", "regional_3r"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,11 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule import arms as embedded
 from chainrule.description import Description, Inertia, Orthogonal3R, Planar, with_inertias, with_limits
 from chainrule.errors import InputError, shown
 from chainrule.evaluators import Evaluator, Evaluators
-from chainrule.readers import dh, families, read
+from chainrule.readers import dh, families
 
 Array = NDArray[Any]
 
@@ -445,8 +443,9 @@ class Arm:
             InputError: joints without an inertia (see :meth:`with_inertias`), wrong shapes.
 
         Example:
+            >>> import chainrule as cr
             >>> q, still = [0.3, 0.2, -0.4, 0.5, 0.6, 0.7, -0.2, 0.1], [0.0] * 8
-            >>> load("sanchez_8r").inverse_dynamics(q, still, still)[:4].round(2)
+            >>> cr.load("sanchez_8r").inverse_dynamics(q, still, still)[:4].round(2)
             array([-27.06, -1.96, -6.64, -0.47])
         """
         single = _single(q, qd, qdd)
@@ -491,47 +490,6 @@ def checked_arm(value: Any) -> Arm:
     if not isinstance(value, Arm):
         raise InputError(f"arm: {shown(value)}; an Arm is accepted, such as chainrule.load('panda') gives")
     return value
-
-
-def load(source: str | os.PathLike[str], *, tip: str | None = None, base: str | None = None) -> Arm:
-    """An arm by name or from a file.
-
-    An orthogonal 3R arm is a :class:`chainrule.Orthogonal3R`, as :func:`chainrule.orthogonal_3r` makes it.
-
-    Args:
-        source: an embedded arm's name (:func:`chainrule.arms.names`), or the path of a ``.toml`` or ``.urdf`` file.
-        tip: for a URDF, the link the chain ends in (needed where the tree has several leaves).
-        base: for a URDF, the link the chain begins at (default: the root).
-
-    Raises:
-        InputError: an unknown name; the message lists the known ones.
-        DescriptionError: a file that is not right, with the place and what would be accepted.
-
-    Example:
-        >>> load("panda")
-        <Arm panda: 7 joints (RRRRRRR)>
-        >>> load("orthogonal_3r_fig2a").cuspidal
-        True
-    """
-    if not isinstance(source, str | os.PathLike):
-        raise InputError(f"an arm is loaded by its name or from a .toml or .urdf file, not from {shown(source)}")
-    text = os.fspath(source)
-    if isinstance(source, str) and text in embedded.names():
-        if tip is not None or base is not None:
-            raise InputError(f"{text}: tip and base are accepted for a .urdf only; an embedded arm is one chain")
-        return _of(read(embedded.path(text)))
-    if isinstance(source, str) and not text.lower().endswith((".toml", ".urdf", ".xacro")) and not os.path.exists(text):
-        embedded.path(text)  # raises, with the list of names
-    return _of(read(source, tip=tip, base=base))
-
-
-def _of(description: Description) -> Arm:
-    """The arm of a description; an orthogonal 3R arm answers for its cusps and postures as well."""
-    if isinstance(description.geometry, Orthogonal3R):
-        from chainrule.cuspidality.designs import Orthogonal3R as Design
-
-        return Design(description)
-    return Arm(description)
 
 
 def planar_3r(l1: float, l2: float, l3: float) -> Arm:

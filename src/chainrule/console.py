@@ -47,7 +47,7 @@ _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 
 def load_arm(source: str, tip: str | None = None, base: str | None = None) -> Arm:
     """The arm of a name or file, as :func:`chainrule.load`."""
-    from chainrule.arm import load
+    from chainrule.loading import load
 
     return load(source, tip=tip, base=base)
 

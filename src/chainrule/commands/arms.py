@@ -45,7 +45,7 @@ def arms(as_json: Json = False) -> None:
     Example: chainrule arms
     """
     from chainrule import arms as embedded
-    from chainrule.arm import load
+    from chainrule.loading import load
     from chainrule.tables import Column, Table, printable
 
     found = [load(name) for name in embedded.names()]

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
-from chainrule.arm import Arm, load, planar
+from chainrule.arm import Arm, planar
 from chainrule.derive.planar import planar_chain
 from chainrule.derive.speed_ratio import plain_elimination
 from chainrule.description import planar_model
+from chainrule.loading import load
 from chainrule.papers import Row, compared, shown_equal
 from chainrule.speed_ratio import SpeedRatios, Status, speed_ratios
 from chainrule.tables import functions

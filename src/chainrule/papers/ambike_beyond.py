@@ -9,13 +9,14 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from chainrule.arm import load, planar
+from chainrule.arm import planar
 from chainrule.derive import speed_ratio_4
 from chainrule.derive.planar import planar_chain
 from chainrule.derive.speed_ratio import TANGENT
 from chainrule.description import planar_model
 from chainrule.four_joints import FourJointRatios, speed_ratios_4_each
 from chainrule.higher_order import motion_ratios
+from chainrule.loading import load
 from chainrule.papers import Row, Verdict
 
 WHERE = "section 3"

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from chainrule.arm import load
 from chainrule.following_compared import Comparison, Loops, Study, compare, study, study_paths
+from chainrule.loading import load
 from chainrule.papers import Row
 from chainrule.parametric_paths import Ellipse
 from chainrule.paths import Circle, Path

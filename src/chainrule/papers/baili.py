@@ -13,13 +13,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
-from chainrule.arm import load
 from chainrule.cuspidality.classify import classify_orthogonal_3r, topology_orthogonal_3r
 from chainrule.cuspidality.cusps import certified_cusps
 from chainrule.cuspidality.designs import orthogonal_3r, regional_3r
 from chainrule.cuspidality.domains import exact_domain
 from chainrule.derive import orthogonal_designs as derived
 from chainrule.derive.orthogonal_3r import determinant, orthogonal_chain
+from chainrule.loading import load
 from chainrule.papers import Row, claim, compared, shown_equal
 
 if TYPE_CHECKING:

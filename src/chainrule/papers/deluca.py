@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
-from chainrule.arm import Arm, load, planar_3r
+from chainrule.arm import Arm, planar_3r
 from chainrule.derive import catalogue, planar, rest_to_rest
 from chainrule.derive.planar_3r import closed_minors, singular_set
 from chainrule.derive.program import closed_form
 from chainrule.goals import FastestMove, fastest, postures
+from chainrule.loading import load
 from chainrule.manipulability import max_manipulability
 from chainrule.papers import Row, compared, shown_equal
 from chainrule.workspaces import dexterous_rings, ring, workspace

@@ -14,9 +14,10 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm, load, planar_3r
+from chainrule.arm import Arm, planar_3r
 from chainrule.derive import catalogue, planar
 from chainrule.derive.program import closed_form
+from chainrule.loading import load
 from chainrule.papers import Row, claim, compared, shown_equal
 from chainrule.self_motions.eigenvector import eigenvector
 from chainrule.self_motions.face import self_motion

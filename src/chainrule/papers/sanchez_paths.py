@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.arm import Arm, load
+from chainrule.arm import Arm
+from chainrule.loading import load
 from chainrule.redundancy.task_path import TaskPath
 
 Array = NDArray[Any]
