@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from chainrule.derive.manipulability import Matrix, View, identity
-from chainrule.derive.program import Expression, Input, Output, Program, Steps, exact, variables
+from chainrule.derive.program import Expression, Input, Matrix, Output, Program, Steps, exact, variables
+from chainrule.derive.view import View, identity
 from chainrule.description import Transform
 
 Vector = list[Expression]

@@ -13,28 +13,7 @@ from itertools import combinations
 
 import sympy as sp
 
-from chainrule.derive.program import Expression, GuardedInverse, Input, Output, Program, Steps
-
-Matrix = list[list[Expression]]  # rows
-
-
-@dataclass(frozen=True)
-class View:
-    """What leads from the task Jacobian J to a matrix ``move turn J`` with the same minors, row space and fewer terms.
-
-    Attributes:
-        turn: (m, m) orthogonal: the directions that the rows are seen along.
-        move: (m, m) of determinant 1, I + N with N N = 0: the point whose velocity is seen.
-    """
-
-    turn: Matrix
-    move: Matrix
-
-
-def identity(m: int) -> Matrix:
-    """I."""
-    return [[sp.Integer(i == j) for j in range(m)] for i in range(m)]
-
+from chainrule.derive.program import Expression, GuardedInverse, Input, Matrix, Output, Program, Steps
 
 #: Above this many sub-minors H comes from the factorisation (a 6 x 9 has 465, a 6 x 10 has 847).
 MOST_SUBMINORS = 500

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from chainrule.derive.manipulability import View, identity
 from chainrule.derive.program import Expression, Input, Output, Program, Steps, variables
+from chainrule.derive.view import View, identity
 
 Pair = tuple[Expression, Expression]
 

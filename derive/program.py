@@ -15,6 +15,7 @@ import mpmath
 import sympy as sp
 
 Expression = Any  # SymPy ships no types: an sp.Expr
+Matrix = list[list[Expression]]  # rows
 Shape = tuple[int, ...]
 
 

@@ -45,16 +45,9 @@ import sympy as sp
 
 from chainrule.derive import self_motion
 from chainrule.derive.differentiation import gradient
-from chainrule.derive.manipulability import (
-    Matrix,
-    OrthogonalRows,
-    View,
-    identity,
-    orthogonal_rows,
-    root_sum_of_squares,
-    sparse_first,
-)
-from chainrule.derive.program import Expression, GuardedInverse, Input, Output, Program, Steps, Where, variables
+from chainrule.derive.manipulability import OrthogonalRows, orthogonal_rows, root_sum_of_squares, sparse_first
+from chainrule.derive.program import Expression, GuardedInverse, Input, Matrix, Output, Program, Steps, Where, variables
+from chainrule.derive.view import View, identity
 
 Vector = list[Expression]
 

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs 807b0e4c749b1a7d44ff07e39572e9e003b136ccf874ceba2fe5a8f582569e38.
+ * Made from templates/kernel.c.j2; inputs e49af4588cb85550a4f2e89b93ccc50c71ba0afd171fa7584b1b0838a0b03984.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "807b0e4c749b1a7d44ff07e39572e9e003b136ccf874ceba2fe5a8f582569e38";
+const char crx10ial_kinematics_digest[] = "e49af4588cb85550a4f2e89b93ccc50c71ba0afd171fa7584b1b0838a0b03984";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 807b0e4c749b1a7d44ff07e39572e9e003b136ccf874ceba2fe5a8f582569e38.
+Made from templates/kernel.py.j2; inputs 3f15a08ded8d2456b522ee176b081a7d3d40a54f7c9117165e90ed499aaaa607.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* crx10ial_position.c: manipulability (position) of crx10ial.
- * Made from templates/kernel.c.j2; inputs 807b0e4c749b1a7d44ff07e39572e9e003b136ccf874ceba2fe5a8f582569e38.
+ * Made from templates/kernel.c.j2; inputs 3f15a08ded8d2456b522ee176b081a7d3d40a54f7c9117165e90ed499aaaa607.
  * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_position_digest[] = "807b0e4c749b1a7d44ff07e39572e9e003b136ccf874ceba2fe5a8f582569e38";
+const char crx10ial_position_digest[] = "3f15a08ded8d2456b522ee176b081a7d3d40a54f7c9117165e90ed499aaaa607";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15.
+ * Made from templates/kernel.h.j2; inputs 33f5a43bd0451098a72025f886b90d4f3e8a8d8bc68c11b9592e77f3c5f9dc1f.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

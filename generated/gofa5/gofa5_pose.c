@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15.
+ * Made from templates/kernel.c.j2; inputs 3854624a1f4826b241695d2521917844ac563f98aff061db1837f18f7b3b2b54.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15";
+const char gofa5_pose_digest[] = "3854624a1f4826b241695d2521917844ac563f98aff061db1837f18f7b3b2b54";
 #endif
 
 #define LANES 64

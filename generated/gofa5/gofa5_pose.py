@@ -1,6 +1,6 @@
 """manipulability (pose) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15.
+Made from templates/kernel.py.j2; inputs 3854624a1f4826b241695d2521917844ac563f98aff061db1837f18f7b3b2b54.
 507 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_position.h: manipulability (position) of gofa5.
- * Made from templates/kernel.h.j2; inputs 77af34e25533c746f54f7079ec78a6a85f2a39f12a7be9389957e744db42cf15.
+ * Made from templates/kernel.h.j2; inputs 3854624a1f4826b241695d2521917844ac563f98aff061db1837f18f7b3b2b54.
  * 1045 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 30ea79e12cdbb4fe8d8459b2a3c482fd51a34aa2cc45e9f4aef2b0dcabbadc05.
+ * Made from templates/kernel.c.j2; inputs 725204e75d3a11579fa292c335bb9ae84ace74e2f3dd6318d75ad146253e672e.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "30ea79e12cdbb4fe8d8459b2a3c482fd51a34aa2cc45e9f4aef2b0dcabbadc05";
+const char iiwa14_continuation_pose_digest[] = "725204e75d3a11579fa292c335bb9ae84ace74e2f3dd6318d75ad146253e672e";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs 563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c.
+ * Made from templates/kernel.c.j2; inputs cfac728470e6ba862bea04e023919749855e587fc414913cacfcf632368a5260.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c";
+const char iiwa14_kinematics_digest[] = "cfac728470e6ba862bea04e023919749855e587fc414913cacfcf632368a5260";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.h: kinematics of iiwa14.
- * Made from templates/kernel.h.j2; inputs 563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c.
+ * Made from templates/kernel.h.j2; inputs cfac728470e6ba862bea04e023919749855e587fc414913cacfcf632368a5260.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* iiwa14_pose.c: manipulability (pose) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c.
+ * Made from templates/kernel.c.j2; inputs 8d9a5cbbe8a058c21c46342378154a01785c8959c2a55148d579e6058ceb733a.
  * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_pose_digest[] = "563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c";
+const char iiwa14_pose_digest[] = "8d9a5cbbe8a058c21c46342378154a01785c8959c2a55148d579e6058ceb733a";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 563ec1dfecc01d3e6dd411e78b1ac492051010e8bc8805f003a8a620cefe008c.
+Made from templates/kernel.py.j2; inputs 8d9a5cbbe8a058c21c46342378154a01785c8959c2a55148d579e6058ceb733a.
 1362 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

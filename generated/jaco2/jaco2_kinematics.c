@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs f30ca6216184971e556d2f26455cc3d9d78ff6129c3b16f652324ff79aa743d8.
+ * Made from templates/kernel.c.j2; inputs 391890cfa21a3e12db355850408e1d330d8ca88323c06805fbd073c4a5f925a9.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "f30ca6216184971e556d2f26455cc3d9d78ff6129c3b16f652324ff79aa743d8";
+const char jaco2_kinematics_digest[] = "391890cfa21a3e12db355850408e1d330d8ca88323c06805fbd073c4a5f925a9";
 #endif
 
 #define LANES 64

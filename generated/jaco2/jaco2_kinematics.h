@@ -1,5 +1,5 @@
 /* jaco2_kinematics.h: kinematics of jaco2.
- * Made from templates/kernel.h.j2; inputs f30ca6216184971e556d2f26455cc3d9d78ff6129c3b16f652324ff79aa743d8.
+ * Made from templates/kernel.h.j2; inputs 391890cfa21a3e12db355850408e1d330d8ca88323c06805fbd073c4a5f925a9.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f30ca6216184971e556d2f26455cc3d9d78ff6129c3b16f652324ff79aa743d8.
+Made from templates/kernel.py.j2; inputs 187471a616132b86dffa3222750f9c282e6caf7bb66e647d1793ed65876b5ac7.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs f30ca6216184971e556d2f26455cc3d9d78ff6129c3b16f652324ff79aa743d8.
+ * Made from templates/kernel.c.j2; inputs 187471a616132b86dffa3222750f9c282e6caf7bb66e647d1793ed65876b5ac7.
  * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "f30ca6216184971e556d2f26455cc3d9d78ff6129c3b16f652324ff79aa743d8";
+const char jaco2_position_digest[] = "187471a616132b86dffa3222750f9c282e6caf7bb66e647d1793ed65876b5ac7";
 #endif
 
 #define LANES 64

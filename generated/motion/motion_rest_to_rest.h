@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs 620f16f8e3d2d9124c77cf37e0fe8a4efb2bfc8b611fdfce12bbecf53b8f9f98.
+ * Made from templates/kernel.h.j2; inputs cb2cf085e82c5d274813768288605277b25fc64e5824afa92e7e3e51e06188a0.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """rest to rest of motion, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 620f16f8e3d2d9124c77cf37e0fe8a4efb2bfc8b611fdfce12bbecf53b8f9f98.
+Made from templates/kernel.py.j2; inputs cb2cf085e82c5d274813768288605277b25fc64e5824afa92e7e3e51e06188a0.
 56 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.h: cuspidality of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 4eb96cb02b5664607aa25338d5cd44b079fa792e1a4c9d54970b644a0c6104a3.
+ * Made from templates/kernel.h.j2; inputs fdaa9365009027a79f457dc2ae032e0f16ebbd5225cfa5f1a842d0c81f2aff52.
  * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

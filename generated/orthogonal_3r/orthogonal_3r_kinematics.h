@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 4bec702d8e49a24575b6f24c2d048fa81c1289adb45b22e4f192e448e5f8e909.
+ * Made from templates/kernel.h.j2; inputs 592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4bec702d8e49a24575b6f24c2d048fa81c1289adb45b22e4f192e448e5f8e909.
+Made from templates/kernel.py.j2; inputs 592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0.
 87 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

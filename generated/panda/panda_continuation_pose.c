@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs dcc9d8e6e2f66e76337bac5233922820684b08e7981ad003e7ef649964a3db2f.
+ * Made from templates/kernel.c.j2; inputs f5689e89cb2d58d9e75412a450ce6cc6acb83c7f3af275484835b71d378e2f10.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "dcc9d8e6e2f66e76337bac5233922820684b08e7981ad003e7ef649964a3db2f";
+const char panda_continuation_pose_digest[] = "f5689e89cb2d58d9e75412a450ce6cc6acb83c7f3af275484835b71d378e2f10";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs dcc9d8e6e2f66e76337bac5233922820684b08e7981ad003e7ef649964a3db2f.
+ * Made from templates/kernel.h.j2; inputs f5689e89cb2d58d9e75412a450ce6cc6acb83c7f3af275484835b71d378e2f10.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs a0b297eba3c8684320b39a6eb6a1e7e24e953e19edc653df2883d15c0d868e7e.
+ * Made from templates/kernel.c.j2; inputs 84b1bdfd366f8479e0f9d0e90ddb2c78efd5e74865e713717c50cc24b322786e.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "a0b297eba3c8684320b39a6eb6a1e7e24e953e19edc653df2883d15c0d868e7e";
+const char panda_dynamics_digest[] = "84b1bdfd366f8479e0f9d0e90ddb2c78efd5e74865e713717c50cc24b322786e";
 #endif
 
 #define LANES 32

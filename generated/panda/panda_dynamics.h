@@ -1,5 +1,5 @@
 /* panda_dynamics.h: dynamics of panda.
- * Made from templates/kernel.h.j2; inputs a0b297eba3c8684320b39a6eb6a1e7e24e953e19edc653df2883d15c0d868e7e.
+ * Made from templates/kernel.h.j2; inputs 84b1bdfd366f8479e0f9d0e90ddb2c78efd5e74865e713717c50cc24b322786e.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

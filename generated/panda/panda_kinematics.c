@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b.
+ * Made from templates/kernel.c.j2; inputs d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b";
+const char panda_kinematics_digest[] = "d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93";
 #endif
 
 #define LANES 64

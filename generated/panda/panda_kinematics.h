@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b.
+ * Made from templates/kernel.h.j2; inputs d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

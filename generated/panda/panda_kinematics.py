@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b.
+Made from templates/kernel.py.j2; inputs d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

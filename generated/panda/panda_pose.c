@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b.
+ * Made from templates/kernel.c.j2; inputs a5383a45a6dedb7a3a81075d91d400ffa0ece1be45870b038bf898e6aa1372da.
  * 1906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b";
+const char panda_pose_digest[] = "a5383a45a6dedb7a3a81075d91d400ffa0ece1be45870b038bf898e6aa1372da";
 #endif
 
 #define LANES 64

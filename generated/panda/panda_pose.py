@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c2ddb8ddc40e215d75d8c132a000b45a23d37ebbd89c46423c1ba3fb5cf4371b.
+Made from templates/kernel.py.j2; inputs a5383a45a6dedb7a3a81075d91d400ffa0ece1be45870b038bf898e6aa1372da.
 1906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.c: kinematics of planar_ppp.
- * Made from templates/kernel.c.j2; inputs fd8d9eade63592923c1279ced319c9eedfd053acb7a95be4064aed42d819d89a.
+ * Made from templates/kernel.c.j2; inputs 896237158d69ed647aa56be5e815ead43a8ba71c369d7240c3202046911771c5.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_kinematics_digest[] = "fd8d9eade63592923c1279ced319c9eedfd053acb7a95be4064aed42d819d89a";
+const char planar_ppp_kinematics_digest[] = "896237158d69ed647aa56be5e815ead43a8ba71c369d7240c3202046911771c5";
 #endif
 
 #define LANES 64

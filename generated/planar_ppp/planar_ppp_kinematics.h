@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs fd8d9eade63592923c1279ced319c9eedfd053acb7a95be4064aed42d819d89a.
+ * Made from templates/kernel.h.j2; inputs 896237158d69ed647aa56be5e815ead43a8ba71c369d7240c3202046911771c5.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.c: motion of planar_ppp.
- * Made from templates/kernel.c.j2; inputs b5db41e6449c5cf46dca2d6378f51dae4b4a51c07bcb73f8db114c0a873e288c.
+ * Made from templates/kernel.c.j2; inputs caf3800543e7f7a3e7f53971b456abec2e3e75f3d5c24c3e4e78aa63bf1fc4c1.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_motion_digest[] = "b5db41e6449c5cf46dca2d6378f51dae4b4a51c07bcb73f8db114c0a873e288c";
+const char planar_ppp_motion_digest[] = "caf3800543e7f7a3e7f53971b456abec2e3e75f3d5c24c3e4e78aa63bf1fc4c1";
 #endif
 
 #define LANES 64

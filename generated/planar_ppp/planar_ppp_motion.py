@@ -1,6 +1,6 @@
 """motion of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b5db41e6449c5cf46dca2d6378f51dae4b4a51c07bcb73f8db114c0a873e288c.
+Made from templates/kernel.py.j2; inputs caf3800543e7f7a3e7f53971b456abec2e3e75f3d5c24c3e4e78aa63bf1fc4c1.
 120 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

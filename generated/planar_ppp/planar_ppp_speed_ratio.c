@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.c: speed ratio of planar_ppp.
- * Made from templates/kernel.c.j2; inputs f4d5b810656e53b6de2716c0ac2e94ab3b4cef25052b2bb3323037ef6bd127b9.
+ * Made from templates/kernel.c.j2; inputs 5866f1789f90d4a2daff2973548a370e4f57112c79d9617b9aaf6e5b1e4758f3.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppp_speed_ratio_digest[] = "f4d5b810656e53b6de2716c0ac2e94ab3b4cef25052b2bb3323037ef6bd127b9";
+const char planar_ppp_speed_ratio_digest[] = "5866f1789f90d4a2daff2973548a370e4f57112c79d9617b9aaf6e5b1e4758f3";
 #endif
 
 #define LANES 64

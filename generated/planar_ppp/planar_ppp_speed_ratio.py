@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f4d5b810656e53b6de2716c0ac2e94ab3b4cef25052b2bb3323037ef6bd127b9.
+Made from templates/kernel.py.j2; inputs 5866f1789f90d4a2daff2973548a370e4f57112c79d9617b9aaf6e5b1e4758f3.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.c: kinematics of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 3083542d29c195a4a7f958b3feeda8b5bc963468cdaed53bf31c3a207d8ff5c7.
+ * Made from templates/kernel.c.j2; inputs 59371e49c3a72c20082466a878e46108fb7f6738e6d103255c14c4483a8566aa.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_kinematics_digest[] = "3083542d29c195a4a7f958b3feeda8b5bc963468cdaed53bf31c3a207d8ff5c7";
+const char planar_ppr_kinematics_digest[] = "59371e49c3a72c20082466a878e46108fb7f6738e6d103255c14c4483a8566aa";
 #endif
 
 #define LANES 64

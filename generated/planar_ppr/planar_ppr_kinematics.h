@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 3083542d29c195a4a7f958b3feeda8b5bc963468cdaed53bf31c3a207d8ff5c7.
+ * Made from templates/kernel.h.j2; inputs 59371e49c3a72c20082466a878e46108fb7f6738e6d103255c14c4483a8566aa.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

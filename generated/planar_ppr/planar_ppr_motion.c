@@ -1,5 +1,5 @@
 /* planar_ppr_motion.c: motion of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 8bbdf5f1d3646889ae11e33c1cc94c60b9b6ef9bfb107fea356993ccd9caa6f6.
+ * Made from templates/kernel.c.j2; inputs 51c4077d97f06abf78d840c8d218466108acbf613d3c416765547cb3167dd72d.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_motion_digest[] = "8bbdf5f1d3646889ae11e33c1cc94c60b9b6ef9bfb107fea356993ccd9caa6f6";
+const char planar_ppr_motion_digest[] = "51c4077d97f06abf78d840c8d218466108acbf613d3c416765547cb3167dd72d";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_ppr_motion.h: motion of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 8bbdf5f1d3646889ae11e33c1cc94c60b9b6ef9bfb107fea356993ccd9caa6f6.
+ * Made from templates/kernel.h.j2; inputs 51c4077d97f06abf78d840c8d218466108acbf613d3c416765547cb3167dd72d.
  * 161 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

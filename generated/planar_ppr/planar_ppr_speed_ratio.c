@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs fe125784574e763d19c4853e8bda6a6c6f9ee81491edfc1ee87759bd482f7a20.
+ * Made from templates/kernel.c.j2; inputs 23fded3163b8816b0d358d825231af8ce3e3c7648c65479d94f1d10ab0ad6496.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "fe125784574e763d19c4853e8bda6a6c6f9ee81491edfc1ee87759bd482f7a20";
+const char planar_ppr_speed_ratio_digest[] = "23fded3163b8816b0d358d825231af8ce3e3c7648c65479d94f1d10ab0ad6496";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fe125784574e763d19c4853e8bda6a6c6f9ee81491edfc1ee87759bd482f7a20.
+Made from templates/kernel.py.j2; inputs 23fded3163b8816b0d358d825231af8ce3e3c7648c65479d94f1d10ab0ad6496.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

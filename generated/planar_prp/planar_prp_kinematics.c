@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.c: kinematics of planar_prp.
- * Made from templates/kernel.c.j2; inputs 5ac95873e042ceb6cafe700e792c51955c2f73fff71e9cd3d9d087c11855a098.
+ * Made from templates/kernel.c.j2; inputs d799fbefb33b6ca54a531ff0d945b0960e3d50698e44d6dbc8348bec7dde0f4c.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_kinematics_digest[] = "5ac95873e042ceb6cafe700e792c51955c2f73fff71e9cd3d9d087c11855a098";
+const char planar_prp_kinematics_digest[] = "d799fbefb33b6ca54a531ff0d945b0960e3d50698e44d6dbc8348bec7dde0f4c";
 #endif
 
 #define LANES 64

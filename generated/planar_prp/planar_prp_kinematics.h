@@ -1,5 +1,5 @@
 /* planar_prp_kinematics.h: kinematics of planar_prp.
- * Made from templates/kernel.h.j2; inputs 5ac95873e042ceb6cafe700e792c51955c2f73fff71e9cd3d9d087c11855a098.
+ * Made from templates/kernel.h.j2; inputs d799fbefb33b6ca54a531ff0d945b0960e3d50698e44d6dbc8348bec7dde0f4c.
  * 254 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prp_motion.c: motion of planar_prp.
- * Made from templates/kernel.c.j2; inputs 90c413d4585b8d14bc9fd494959f631d5d7c45fa61d6368df81f37df1e5e1654.
+ * Made from templates/kernel.c.j2; inputs 61bef007c96ed652ba1922709ea67faddaa84bb08bb2498ac3738b86ed6395df.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prp_motion_digest[] = "90c413d4585b8d14bc9fd494959f631d5d7c45fa61d6368df81f37df1e5e1654";
+const char planar_prp_motion_digest[] = "61bef007c96ed652ba1922709ea67faddaa84bb08bb2498ac3738b86ed6395df";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 90c413d4585b8d14bc9fd494959f631d5d7c45fa61d6368df81f37df1e5e1654.
+ * Made from templates/kernel.h.j2; inputs 61bef007c96ed652ba1922709ea67faddaa84bb08bb2498ac3738b86ed6395df.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

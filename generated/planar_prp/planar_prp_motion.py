@@ -1,6 +1,6 @@
 """motion of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 90c413d4585b8d14bc9fd494959f631d5d7c45fa61d6368df81f37df1e5e1654.
+Made from templates/kernel.py.j2; inputs 61bef007c96ed652ba1922709ea67faddaa84bb08bb2498ac3738b86ed6395df.
 232 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

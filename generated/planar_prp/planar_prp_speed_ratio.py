@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs f0d177ce47f1d1dd8cc29e97296eb16d2ee155e22a7353e10f0c757f61d8d9af.
+Made from templates/kernel.py.j2; inputs 18645607ea892f732ae4d9f10993c4cb358129e2e099b76671ef87bb046aa94f.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

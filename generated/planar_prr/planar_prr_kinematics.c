@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.c: kinematics of planar_prr.
- * Made from templates/kernel.c.j2; inputs 9aabfe3f55b9b2765acc98f8340c4cf52effb499f9e0a28a6c8df7163ce311a3.
+ * Made from templates/kernel.c.j2; inputs 11aeba48a9f61cb9e5ab04c930fb89e2775cedd4ec17c2725825e19f3b295c47.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_kinematics_digest[] = "9aabfe3f55b9b2765acc98f8340c4cf52effb499f9e0a28a6c8df7163ce311a3";
+const char planar_prr_kinematics_digest[] = "11aeba48a9f61cb9e5ab04c930fb89e2775cedd4ec17c2725825e19f3b295c47";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs 9aabfe3f55b9b2765acc98f8340c4cf52effb499f9e0a28a6c8df7163ce311a3.
+ * Made from templates/kernel.h.j2; inputs 11aeba48a9f61cb9e5ab04c930fb89e2775cedd4ec17c2725825e19f3b295c47.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

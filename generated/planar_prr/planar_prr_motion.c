@@ -1,5 +1,5 @@
 /* planar_prr_motion.c: motion of planar_prr.
- * Made from templates/kernel.c.j2; inputs e8519cf5d43101372b224f2173654133fec06846e21f19cdd79fc7c5994bcdff.
+ * Made from templates/kernel.c.j2; inputs 196fdaf351e43628f5ec7e18ed8825044ac821a9d8fe1e939df2ebb1829d1340.
  * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_motion_digest[] = "e8519cf5d43101372b224f2173654133fec06846e21f19cdd79fc7c5994bcdff";
+const char planar_prr_motion_digest[] = "196fdaf351e43628f5ec7e18ed8825044ac821a9d8fe1e939df2ebb1829d1340";
 #endif
 
 #define LANES 64

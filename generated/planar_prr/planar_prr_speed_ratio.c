@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.c: speed ratio of planar_prr.
- * Made from templates/kernel.c.j2; inputs 0a358a9007422e4c4de1113b2757bf7e3a263144ada99c911dacc7578c1a9140.
+ * Made from templates/kernel.c.j2; inputs 2fb60c24797c4e4d9ddcfeee40fd91d6b32228245ad24e45f85c0486ef025725.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_prr_speed_ratio_digest[] = "0a358a9007422e4c4de1113b2757bf7e3a263144ada99c911dacc7578c1a9140";
+const char planar_prr_speed_ratio_digest[] = "2fb60c24797c4e4d9ddcfeee40fd91d6b32228245ad24e45f85c0486ef025725";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0a358a9007422e4c4de1113b2757bf7e3a263144ada99c911dacc7578c1a9140.
+Made from templates/kernel.py.j2; inputs 2fb60c24797c4e4d9ddcfeee40fd91d6b32228245ad24e45f85c0486ef025725.
 932 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

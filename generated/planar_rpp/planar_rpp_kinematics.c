@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 4e1160e40b48dd590383dbd09e4158a4af9e8c7e73ea78271491b0f66aa017dc.
+ * Made from templates/kernel.c.j2; inputs fca341cf8c736c9096ac66ce37bbdf6ec6786ab5847734337420148cb852b304.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "4e1160e40b48dd590383dbd09e4158a4af9e8c7e73ea78271491b0f66aa017dc";
+const char planar_rpp_kinematics_digest[] = "fca341cf8c736c9096ac66ce37bbdf6ec6786ab5847734337420148cb852b304";
 #endif
 
 #define LANES 64

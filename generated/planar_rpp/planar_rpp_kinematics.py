@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4e1160e40b48dd590383dbd09e4158a4af9e8c7e73ea78271491b0f66aa017dc.
+Made from templates/kernel.py.j2; inputs fca341cf8c736c9096ac66ce37bbdf6ec6786ab5847734337420148cb852b304.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

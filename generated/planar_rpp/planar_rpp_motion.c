@@ -1,5 +1,5 @@
 /* planar_rpp_motion.c: motion of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 453b54afe4d46290bf0bf0fa5941964b4abd2e3bc218f974e86625e59b32884b.
+ * Made from templates/kernel.c.j2; inputs 7a24d1c6884a3342b3f277643aa9d14f9be0e60f7129ecfa3553d86b05021f5b.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_motion_digest[] = "453b54afe4d46290bf0bf0fa5941964b4abd2e3bc218f974e86625e59b32884b";
+const char planar_rpp_motion_digest[] = "7a24d1c6884a3342b3f277643aa9d14f9be0e60f7129ecfa3553d86b05021f5b";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.c: speed ratio of planar_rpp.
- * Made from templates/kernel.c.j2; inputs 5e3972e72454e28c882ab2848a4696b119f2830f78e11b6618483ca3c91b7888.
+ * Made from templates/kernel.c.j2; inputs 8be3ca8ba98576b26ed3faa27e0ce3067d355d1f2e82fb147f2874d4c2b20f2b.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_speed_ratio_digest[] = "5e3972e72454e28c882ab2848a4696b119f2830f78e11b6618483ca3c91b7888";
+const char planar_rpp_speed_ratio_digest[] = "8be3ca8ba98576b26ed3faa27e0ce3067d355d1f2e82fb147f2874d4c2b20f2b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5e3972e72454e28c882ab2848a4696b119f2830f78e11b6618483ca3c91b7888.
+Made from templates/kernel.py.j2; inputs 8be3ca8ba98576b26ed3faa27e0ce3067d355d1f2e82fb147f2874d4c2b20f2b.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.c: kinematics of planar_rpr.
- * Made from templates/kernel.c.j2; inputs 86e694c0b87b396a44bd6a3f1dc0f85d3f598f02c48096e67e43f7e5f58ced93.
+ * Made from templates/kernel.c.j2; inputs ee95ce56dbfc7f4f51e06905402b1bc64e416df36a414ca23531208fe977bdac.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_kinematics_digest[] = "86e694c0b87b396a44bd6a3f1dc0f85d3f598f02c48096e67e43f7e5f58ced93";
+const char planar_rpr_kinematics_digest[] = "ee95ce56dbfc7f4f51e06905402b1bc64e416df36a414ca23531208fe977bdac";
 #endif
 
 #define LANES 64

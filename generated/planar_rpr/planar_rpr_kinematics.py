@@ -1,6 +1,6 @@
 """kinematics of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 86e694c0b87b396a44bd6a3f1dc0f85d3f598f02c48096e67e43f7e5f58ced93.
+Made from templates/kernel.py.j2; inputs ee95ce56dbfc7f4f51e06905402b1bc64e416df36a414ca23531208fe977bdac.
 239 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

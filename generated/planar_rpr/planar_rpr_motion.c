@@ -1,5 +1,5 @@
 /* planar_rpr_motion.c: motion of planar_rpr.
- * Made from templates/kernel.c.j2; inputs be6ebc6c703c8c66935c4c1df4ef34985b88555a8dc337c32ab60aa9886f92a3.
+ * Made from templates/kernel.c.j2; inputs 478ea6cfd490f1a36e94a7859c290b42a792828b489fed18803e5fa1f690b634.
  * 274 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_motion_digest[] = "be6ebc6c703c8c66935c4c1df4ef34985b88555a8dc337c32ab60aa9886f92a3";
+const char planar_rpr_motion_digest[] = "478ea6cfd490f1a36e94a7859c290b42a792828b489fed18803e5fa1f690b634";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs be6ebc6c703c8c66935c4c1df4ef34985b88555a8dc337c32ab60aa9886f92a3.
+Made from templates/kernel.py.j2; inputs 478ea6cfd490f1a36e94a7859c290b42a792828b489fed18803e5fa1f690b634.
 274 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

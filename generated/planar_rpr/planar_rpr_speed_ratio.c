@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.c: speed ratio of planar_rpr.
- * Made from templates/kernel.c.j2; inputs c405e0efb964195cb7130a3e1b309f7e15e29000de15f493fe9b46359b1b6b98.
+ * Made from templates/kernel.c.j2; inputs 3cec4fc897c2ab192f67b50b66133b2f79257f88e9b50808065df592a2ddd4fe.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpr_speed_ratio_digest[] = "c405e0efb964195cb7130a3e1b309f7e15e29000de15f493fe9b46359b1b6b98";
+const char planar_rpr_speed_ratio_digest[] = "3cec4fc897c2ab192f67b50b66133b2f79257f88e9b50808065df592a2ddd4fe";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs c405e0efb964195cb7130a3e1b309f7e15e29000de15f493fe9b46359b1b6b98.
+ * Made from templates/kernel.h.j2; inputs 3cec4fc897c2ab192f67b50b66133b2f79257f88e9b50808065df592a2ddd4fe.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrp_kinematics.c: kinematics of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 9e0c1a5bd25a1299da69d5de1c6ee90c478241ef4f3757aa03976ebace534d8c.
+ * Made from templates/kernel.c.j2; inputs 599a28195eba5839e416a896badbbcd6efed2e27a93c821ded5be289b85329e2.
  * 252 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_kinematics_digest[] = "9e0c1a5bd25a1299da69d5de1c6ee90c478241ef4f3757aa03976ebace534d8c";
+const char planar_rrp_kinematics_digest[] = "599a28195eba5839e416a896badbbcd6efed2e27a93c821ded5be289b85329e2";
 #endif
 
 #define LANES 64

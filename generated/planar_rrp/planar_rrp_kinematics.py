@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9e0c1a5bd25a1299da69d5de1c6ee90c478241ef4f3757aa03976ebace534d8c.
+Made from templates/kernel.py.j2; inputs 599a28195eba5839e416a896badbbcd6efed2e27a93c821ded5be289b85329e2.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 0af8a508b84dac665cbf1a34f2dea2f77200c102d384608332ba51178619dc4d.
+ * Made from templates/kernel.c.j2; inputs 64720cd230e4086a8138c3c82fe50777130d43baf855083c254218e33389980f.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "0af8a508b84dac665cbf1a34f2dea2f77200c102d384608332ba51178619dc4d";
+const char planar_rrp_motion_digest[] = "64720cd230e4086a8138c3c82fe50777130d43baf855083c254218e33389980f";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 0af8a508b84dac665cbf1a34f2dea2f77200c102d384608332ba51178619dc4d.
+Made from templates/kernel.py.j2; inputs 64720cd230e4086a8138c3c82fe50777130d43baf855083c254218e33389980f.
 272 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.c: speed ratio of planar_rrp.
- * Made from templates/kernel.c.j2; inputs d0e85daee4de40c88032bac6e662b188160ae598ea95ad482327a3190fd38c50.
+ * Made from templates/kernel.c.j2; inputs 29e9d08eaaafe12c8fd1a3d3a3a65217f90e0d3c8117686a470cc7304ff4bab2.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_speed_ratio_digest[] = "d0e85daee4de40c88032bac6e662b188160ae598ea95ad482327a3190fd38c50";
+const char planar_rrp_speed_ratio_digest[] = "29e9d08eaaafe12c8fd1a3d3a3a65217f90e0d3c8117686a470cc7304ff4bab2";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d0e85daee4de40c88032bac6e662b188160ae598ea95ad482327a3190fd38c50.
+Made from templates/kernel.py.j2; inputs 29e9d08eaaafe12c8fd1a3d3a3a65217f90e0d3c8117686a470cc7304ff4bab2.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

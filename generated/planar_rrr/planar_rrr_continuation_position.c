@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_position.c: continuation position of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 3105a4969e3504c9000245a71f1b01b89f1f4561cb2a3b933a80c84c96cdd979.
+ * Made from templates/kernel.c.j2; inputs fb9f4670c0fde24c8d6c9b7e03d55971aadbb73ffb9d0d6e5bcb803728af60e7.
  * 123 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_position_digest[] = "3105a4969e3504c9000245a71f1b01b89f1f4561cb2a3b933a80c84c96cdd979";
+const char planar_rrr_continuation_position_digest[] = "fb9f4670c0fde24c8d6c9b7e03d55971aadbb73ffb9d0d6e5bcb803728af60e7";
 #endif
 
 #define LANES 64

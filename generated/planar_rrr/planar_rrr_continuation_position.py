@@ -1,6 +1,6 @@
 """continuation position of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3105a4969e3504c9000245a71f1b01b89f1f4561cb2a3b933a80c84c96cdd979.
+Made from templates/kernel.py.j2; inputs fb9f4670c0fde24c8d6c9b7e03d55971aadbb73ffb9d0d6e5bcb803728af60e7.
 123 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

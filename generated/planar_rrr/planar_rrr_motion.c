@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 80cf6a850973bdc4a2e13491a068f4e37701657458de207830d53bae88ac8ec5.
+ * Made from templates/kernel.c.j2; inputs 2464998ac776ac3daf644fa7b8730df8784c1f4adb632ff264bf79e5c5e9b076.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "80cf6a850973bdc4a2e13491a068f4e37701657458de207830d53bae88ac8ec5";
+const char planar_rrr_motion_digest[] = "2464998ac776ac3daf644fa7b8730df8784c1f4adb632ff264bf79e5c5e9b076";
 #endif
 
 #define LANES 64

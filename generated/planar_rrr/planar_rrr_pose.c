@@ -1,5 +1,5 @@
 /* planar_rrr_pose.c: manipulability (pose) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 187f408c387d4d0e0214cc2ddfb764be1a7a3b5ad5ef6e0795901f7b3e564b2b.
+ * Made from templates/kernel.c.j2; inputs c713762fcf243f652833215f35c86c5ef9c1720fa9ac114384bcff4a6b4af03b.
  * 138 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_pose_digest[] = "187f408c387d4d0e0214cc2ddfb764be1a7a3b5ad5ef6e0795901f7b3e564b2b";
+const char planar_rrr_pose_digest[] = "c713762fcf243f652833215f35c86c5ef9c1720fa9ac114384bcff4a6b4af03b";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (pose) of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 187f408c387d4d0e0214cc2ddfb764be1a7a3b5ad5ef6e0795901f7b3e564b2b.
+Made from templates/kernel.py.j2; inputs c713762fcf243f652833215f35c86c5ef9c1720fa9ac114384bcff4a6b4af03b.
 138 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 8367c3df55d9ced04a449ff381a8e62f8c6e626a144bebf00ac93a608f52be9a.
+ * Made from templates/kernel.c.j2; inputs e7eded0163682610d248d75b3c2272b22a38e947fd81e9bec3599600a4b9bfbb.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "8367c3df55d9ced04a449ff381a8e62f8c6e626a144bebf00ac93a608f52be9a";
+const char planar_rrr_self_motion_digest[] = "e7eded0163682610d248d75b3c2272b22a38e947fd81e9bec3599600a4b9bfbb";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """self motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8367c3df55d9ced04a449ff381a8e62f8c6e626a144bebf00ac93a608f52be9a.
+Made from templates/kernel.py.j2; inputs e7eded0163682610d248d75b3c2272b22a38e947fd81e9bec3599600a4b9bfbb.
 1479 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_speed_ratio.c: speed ratio of planar_rrr.
- * Made from templates/kernel.c.j2; inputs b76c5d14fbb3cd64e34d61bfeaf658f4322723883d7775c5b2bf5d4743011bd1.
+ * Made from templates/kernel.c.j2; inputs a0c1db7a9a7e3a74dfe82c2e4ead961bb4a9273254a8ee11b3dc25898280c435.
  * 999 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_speed_ratio_digest[] = "b76c5d14fbb3cd64e34d61bfeaf658f4322723883d7775c5b2bf5d4743011bd1";
+const char planar_rrr_speed_ratio_digest[] = "a0c1db7a9a7e3a74dfe82c2e4ead961bb4a9273254a8ee11b3dc25898280c435";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.h: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 187f408c387d4d0e0214cc2ddfb764be1a7a3b5ad5ef6e0795901f7b3e564b2b.
+ * Made from templates/kernel.h.j2; inputs c713762fcf243f652833215f35c86c5ef9c1720fa9ac114384bcff4a6b4af03b.
  * 256 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

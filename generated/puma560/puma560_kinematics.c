@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs da9e8cf1bb9c816d7dd2a3ff46a41c5b39be96d4fbdb663cdf9a7fd476bc7447.
+ * Made from templates/kernel.c.j2; inputs 6a574005f35904ebccd45eee656e6f886dc6db4f46a561430c28632af387b74b.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "da9e8cf1bb9c816d7dd2a3ff46a41c5b39be96d4fbdb663cdf9a7fd476bc7447";
+const char puma560_kinematics_digest[] = "6a574005f35904ebccd45eee656e6f886dc6db4f46a561430c28632af387b74b";
 #endif
 
 #define LANES 64

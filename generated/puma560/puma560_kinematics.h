@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs da9e8cf1bb9c816d7dd2a3ff46a41c5b39be96d4fbdb663cdf9a7fd476bc7447.
+ * Made from templates/kernel.h.j2; inputs 6a574005f35904ebccd45eee656e6f886dc6db4f46a561430c28632af387b74b.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

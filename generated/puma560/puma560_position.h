@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs da9e8cf1bb9c816d7dd2a3ff46a41c5b39be96d4fbdb663cdf9a7fd476bc7447.
+ * Made from templates/kernel.h.j2; inputs 339be3b3bc4e9ef5da5311a992d7958a769c36be3fcee1dc57208330ff21d2fc.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

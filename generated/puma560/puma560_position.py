@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs da9e8cf1bb9c816d7dd2a3ff46a41c5b39be96d4fbdb663cdf9a7fd476bc7447.
+Made from templates/kernel.py.j2; inputs 339be3b3bc4e9ef5da5311a992d7958a769c36be3fcee1dc57208330ff21d2fc.
 298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 7ad5a657465668751651610d4beabefa45e4479bdca2abee653ab00ab67c4669.
+ * Made from templates/kernel.c.j2; inputs 0b6ce34ff8146822b9ad6c109c76eaac1e6de8bc76b516dea8eccf95aa447065.
  * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "7ad5a657465668751651610d4beabefa45e4479bdca2abee653ab00ab67c4669";
+const char regional_3r_cuspidality_digest[] = "0b6ce34ff8146822b9ad6c109c76eaac1e6de8bc76b516dea8eccf95aa447065";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """cuspidality of regional_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7ad5a657465668751651610d4beabefa45e4479bdca2abee653ab00ab67c4669.
+Made from templates/kernel.py.j2; inputs 0b6ce34ff8146822b9ad6c109c76eaac1e6de8bc76b516dea8eccf95aa447065.
 5743 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 34d6ab432c738f875c11eb5a8338c30bf7058ab881d2109df7469cd846771974.
+ * Made from templates/kernel.c.j2; inputs d5f6c6f7c512db09cb79b2acbd852d43e3d4567640cf165682998a473f4b27b3.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "34d6ab432c738f875c11eb5a8338c30bf7058ab881d2109df7469cd846771974";
+const char sanchez_8r_dynamics_digest[] = "d5f6c6f7c512db09cb79b2acbd852d43e3d4567640cf165682998a473f4b27b3";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """dynamics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 34d6ab432c738f875c11eb5a8338c30bf7058ab881d2109df7469cd846771974.
+Made from templates/kernel.py.j2; inputs d5f6c6f7c512db09cb79b2acbd852d43e3d4567640cf165682998a473f4b27b3.
 982 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

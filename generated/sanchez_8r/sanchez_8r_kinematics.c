@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a.
+ * Made from templates/kernel.c.j2; inputs b47fbec341ba9899cb9e9144ec28d3972ec3564420d9cadb53abcfd54f4c3ad3.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a";
+const char sanchez_8r_kinematics_digest[] = "b47fbec341ba9899cb9e9144ec28d3972ec3564420d9cadb53abcfd54f4c3ad3";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.h: kinematics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a.
+ * Made from templates/kernel.h.j2; inputs b47fbec341ba9899cb9e9144ec28d3972ec3564420d9cadb53abcfd54f4c3ad3.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a.
+Made from templates/kernel.py.j2; inputs b47fbec341ba9899cb9e9144ec28d3972ec3564420d9cadb53abcfd54f4c3ad3.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_position.c: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a.
+ * Made from templates/kernel.c.j2; inputs d8a463a58013516da927dc9096bd1f0a0c9909743af78e17af6d55fb3bab1b90.
  * 1893 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_position_digest[] = "661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a";
+const char sanchez_8r_position_digest[] = "d8a463a58013516da927dc9096bd1f0a0c9909743af78e17af6d55fb3bab1b90";
 #endif
 
 #define LANES 16

@@ -1,5 +1,5 @@
 /* sanchez_8r_position.h: manipulability (position) of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 661d93d198a33fdb296e6aa7492e9ffd961317bf1d56345bee0ad86db56d3b0a.
+ * Made from templates/kernel.h.j2; inputs d8a463a58013516da927dc9096bd1f0a0c9909743af78e17af6d55fb3bab1b90.
  * 1893 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 7618cbecc1cd912562cb04f95cba6c81f6e0bb67538e870f45c23ac3266aedca.
+ * Made from templates/kernel.c.j2; inputs 53af6a894553ea4804210687785b98b9e393b185e1a28d235b55aa3ec40ae1f6.
  * 2941 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "7618cbecc1cd912562cb04f95cba6c81f6e0bb67538e870f45c23ac3266aedca";
+const char sanchez_8r_redundancy_pose_digest[] = "53af6a894553ea4804210687785b98b9e393b185e1a28d235b55aa3ec40ae1f6";
 #endif
 
 #define LANES 8

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs d52f1e3bc25705f65c3ad08ac482c48c315af76d847f1f96ed3cbab003664034.
+ * Made from templates/kernel.c.j2; inputs 9ea03f88045a66cb0b0b0d63c45d463b5f0c11db3f80fef92fd26f8246752ad0.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "d52f1e3bc25705f65c3ad08ac482c48c315af76d847f1f96ed3cbab003664034";
+const char ur5e_kinematics_digest[] = "9ea03f88045a66cb0b0b0d63c45d463b5f0c11db3f80fef92fd26f8246752ad0";
 #endif
 
 #define LANES 64

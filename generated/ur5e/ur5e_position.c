@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs d52f1e3bc25705f65c3ad08ac482c48c315af76d847f1f96ed3cbab003664034.
+ * Made from templates/kernel.c.j2; inputs 4606c872a30c72877a664f5472f1e4bc03b852c5962109dbab26d80bfb25d739.
  * 836 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "d52f1e3bc25705f65c3ad08ac482c48c315af76d847f1f96ed3cbab003664034";
+const char ur5e_position_digest[] = "4606c872a30c72877a664f5472f1e4bc03b852c5962109dbab26d80bfb25d739";
 #endif
 
 #define LANES 64

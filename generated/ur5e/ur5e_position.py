@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d52f1e3bc25705f65c3ad08ac482c48c315af76d847f1f96ed3cbab003664034.
+Made from templates/kernel.py.j2; inputs 4606c872a30c72877a664f5472f1e4bc03b852c5962109dbab26d80bfb25d739.
 836 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
