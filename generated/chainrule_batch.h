@@ -154,6 +154,12 @@ CR_INLINE int chainrule_streams(ptrdiff_t count, int size)
     return count * size * (ptrdiff_t)sizeof(real) >= CR_STREAM_BYTES;
 }
 
+/* Whether an array of these rows is written so: long rows, side by side. */
+CR_INLINE int chainrule_past(int streaming, int size, ptrdiff_t outer)
+{
+    return streaming && size >= CR_STREAM_LEAST && size <= CR_STREAM_MOST && outer == size * (ptrdiff_t)sizeof(real);
+}
+
 CR_INLINE void chainrule_stream(char *to, const char *from, ptrdiff_t bytes)
 {
     ptrdiff_t head = (ptrdiff_t)(-(uintptr_t)to & 63u); /* whole lines only; the ends as usual */
@@ -183,6 +189,14 @@ CR_INLINE int chainrule_streams(ptrdiff_t count, int size)
     return 0;
 }
 
+CR_INLINE int chainrule_past(int streaming, int size, ptrdiff_t outer)
+{
+    (void)streaming;
+    (void)size;
+    (void)outer;
+    return 0;
+}
+
 CR_INLINE void chainrule_settle(int streamed)
 {
     (void)streamed;
@@ -196,7 +210,7 @@ CR_INLINE void chainrule_scatter(real *restrict tile, int width, int count, char
     const int size = rows * cols;
     if (col_step == (ptrdiff_t)sizeof(real) && row_step == cols * (ptrdiff_t)sizeof(real)) {
 #if defined(__SSE2__)
-        if (streaming && size >= CR_STREAM_LEAST && size <= CR_STREAM_MOST && outer == size * (ptrdiff_t)sizeof(real)) {
+        if (chainrule_past(streaming, size, outer)) {
             real staged[CR_STREAM_ROWS * CR_STREAM_MOST];
             for (int i = 0; i < count; i += CR_STREAM_ROWS) {
                 const int rest = count - i < CR_STREAM_ROWS ? count - i : CR_STREAM_ROWS;

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs e49af4588cb85550a4f2e89b93ccc50c71ba0afd171fa7584b1b0838a0b03984.
+ * Made from templates/kernel.h.j2; inputs e02db895fb4f47e5c74ab3678c8d852249046f82fcafea668b5a8574042db393.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e49af4588cb85550a4f2e89b93ccc50c71ba0afd171fa7584b1b0838a0b03984.
+Made from templates/kernel.py.j2; inputs e02db895fb4f47e5c74ab3678c8d852249046f82fcafea668b5a8574042db393.
 698 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """manipulability (position) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3f15a08ded8d2456b522ee176b081a7d3d40a54f7c9117165e90ed499aaaa607.
+Made from templates/kernel.py.j2; inputs fe8f7db4f86a71afe84a11ef65c42b0350302651277485af5390891b1b1f59b6.
 984 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

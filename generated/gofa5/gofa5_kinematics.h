@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs 33f5a43bd0451098a72025f886b90d4f3e8a8d8bc68c11b9592e77f3c5f9dc1f.
+ * Made from templates/kernel.h.j2; inputs db7607e5fd0cd47f8ba545dba317aa9d07aa4d2545b058f1b75b383835efe28c.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 33f5a43bd0451098a72025f886b90d4f3e8a8d8bc68c11b9592e77f3c5f9dc1f.
+Made from templates/kernel.py.j2; inputs db7607e5fd0cd47f8ba545dba317aa9d07aa4d2545b058f1b75b383835efe28c.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_pose.c: manipulability (pose) of gofa5.
- * Made from templates/kernel.c.j2; inputs 3854624a1f4826b241695d2521917844ac563f98aff061db1837f18f7b3b2b54.
+ * Made from templates/kernel.c.j2; inputs 6859a7a5a753a8c779793bdeceec12d03296250ea32ad41c0df82cabb556cfa9.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_pose_digest[] = "3854624a1f4826b241695d2521917844ac563f98aff061db1837f18f7b3b2b54";
+const char gofa5_pose_digest[] = "6859a7a5a753a8c779793bdeceec12d03296250ea32ad41c0df82cabb556cfa9";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(gofa5_manipulability_pose_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
             gofa5_manipulability_pose_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -78,10 +80,18 @@ void CHAINRULE_NAME(gofa5_manipulability_gradient_pose_batch)(ptrdiff_t count, c
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
+            }
             gofa5_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
@@ -112,7 +122,9 @@ void CHAINRULE_NAME(gofa5_minors_pose_batch)(ptrdiff_t count, char *const *args,
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
             gofa5_minors_pose_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * steps[3], steps[3], streaming);
         }

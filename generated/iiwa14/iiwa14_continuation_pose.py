@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 725204e75d3a11579fa292c335bb9ae84ace74e2f3dd6318d75ad146253e672e.
+Made from templates/kernel.py.j2; inputs 4ac03310b933585d81929685518f33688ae8ed0251fc66a820a188da3b69b692.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* iiwa14_kinematics.c: kinematics of iiwa14.
- * Made from templates/kernel.c.j2; inputs cfac728470e6ba862bea04e023919749855e587fc414913cacfcf632368a5260.
+ * Made from templates/kernel.c.j2; inputs ac76d7e7cdf16b1f52330c5f07d02dca710c3bb04ad7d6f118a3934b2719ac95.
  * 801 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_kinematics_digest[] = "cfac728470e6ba862bea04e023919749855e587fc414913cacfcf632368a5260";
+const char iiwa14_kinematics_digest[] = "ac76d7e7cdf16b1f52330c5f07d02dca710c3bb04ad7d6f118a3934b2719ac95";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(iiwa14_position_batch)(ptrdiff_t count, char *const *args, c
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
             iiwa14_position_tile(q, position);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -72,7 +74,9 @@ void CHAINRULE_NAME(iiwa14_pose_batch)(ptrdiff_t count, char *const *args, const
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
             iiwa14_pose_tile(q, pose);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -100,7 +104,9 @@ void CHAINRULE_NAME(iiwa14_jacobian_position_batch)(ptrdiff_t count, char *const
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 21, taken, 1);
+            if (!chainrule_past(streaming, 21, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 21, taken, 1);
+            }
             iiwa14_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], streaming);
         }
@@ -128,7 +134,9 @@ void CHAINRULE_NAME(iiwa14_jacobian_pose_batch)(ptrdiff_t count, char *const *ar
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 42, taken, 1);
+            if (!chainrule_past(streaming, 42, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 42, taken, 1);
+            }
             iiwa14_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], streaming);
         }
@@ -158,8 +166,12 @@ void CHAINRULE_NAME(iiwa14_kinematics_position_batch)(ptrdiff_t count, char *con
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 21, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 21, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 21, taken, 1);
+            }
             iiwa14_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], streaming);
@@ -190,8 +202,12 @@ void CHAINRULE_NAME(iiwa14_kinematics_pose_batch)(ptrdiff_t count, char *const *
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 42, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
+            if (!chainrule_past(streaming, 42, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 42, taken, 1);
+            }
             iiwa14_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], streaming);

@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 8d9a5cbbe8a058c21c46342378154a01785c8959c2a55148d579e6058ceb733a.
+ * Made from templates/kernel.h.j2; inputs 8202dcca1019d5ee26fa697684bdb79fe8c03729a1e880b3d9a0b89e67b1b9b3.
  * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

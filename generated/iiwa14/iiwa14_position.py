@@ -1,6 +1,6 @@
 """manipulability (position) of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8d9a5cbbe8a058c21c46342378154a01785c8959c2a55148d579e6058ceb733a.
+Made from templates/kernel.py.j2; inputs 8202dcca1019d5ee26fa697684bdb79fe8c03729a1e880b3d9a0b89e67b1b9b3.
 1362 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

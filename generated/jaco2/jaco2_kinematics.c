@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs 391890cfa21a3e12db355850408e1d330d8ca88323c06805fbd073c4a5f925a9.
+ * Made from templates/kernel.c.j2; inputs c84df799a9942c7d5bb97433ab9361bc64ded4e73af656c8e890bcae40a24ca6.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "391890cfa21a3e12db355850408e1d330d8ca88323c06805fbd073c4a5f925a9";
+const char jaco2_kinematics_digest[] = "c84df799a9942c7d5bb97433ab9361bc64ded4e73af656c8e890bcae40a24ca6";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(jaco2_position_batch)(ptrdiff_t count, char *const *args, co
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
             jaco2_position_tile(q, position);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -72,7 +74,9 @@ void CHAINRULE_NAME(jaco2_pose_batch)(ptrdiff_t count, char *const *args, const 
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
             jaco2_pose_tile(q, pose);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -100,7 +104,9 @@ void CHAINRULE_NAME(jaco2_jacobian_position_batch)(ptrdiff_t count, char *const 
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 18, taken, 1);
+            if (!chainrule_past(streaming, 18, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 18, taken, 1);
+            }
             jaco2_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4], streaming);
         }
@@ -128,7 +134,9 @@ void CHAINRULE_NAME(jaco2_jacobian_pose_batch)(ptrdiff_t count, char *const *arg
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            if (!chainrule_past(streaming, 36, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            }
             jaco2_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }
@@ -158,8 +166,12 @@ void CHAINRULE_NAME(jaco2_kinematics_position_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 18, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
+            }
             jaco2_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6], streaming);
@@ -190,8 +202,12 @@ void CHAINRULE_NAME(jaco2_kinematics_pose_batch)(ptrdiff_t count, char *const *a
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 36, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
+            if (!chainrule_past(streaming, 36, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 36, taken, 1);
+            }
             jaco2_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7], streaming);

@@ -1,6 +1,6 @@
 """manipulability (pose) of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 187471a616132b86dffa3222750f9c282e6caf7bb66e647d1793ed65876b5ac7.
+Made from templates/kernel.py.j2; inputs 82d2430062c370a69c265a89c831ab48441d56138623e3057bb34e9f11916f7b.
 624 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

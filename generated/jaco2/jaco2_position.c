@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 187471a616132b86dffa3222750f9c282e6caf7bb66e647d1793ed65876b5ac7.
+ * Made from templates/kernel.c.j2; inputs 82d2430062c370a69c265a89c831ab48441d56138623e3057bb34e9f11916f7b.
  * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "187471a616132b86dffa3222750f9c282e6caf7bb66e647d1793ed65876b5ac7";
+const char jaco2_position_digest[] = "82d2430062c370a69c265a89c831ab48441d56138623e3057bb34e9f11916f7b";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(jaco2_manipulability_position_batch)(ptrdiff_t count, char *
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
             jaco2_manipulability_position_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -78,10 +80,18 @@ void CHAINRULE_NAME(jaco2_manipulability_gradient_position_batch)(ptrdiff_t coun
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
+            }
             jaco2_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
@@ -112,7 +122,9 @@ void CHAINRULE_NAME(jaco2_minors_position_batch)(ptrdiff_t count, char *const *a
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 20, taken, 1);
+            if (!chainrule_past(streaming, 20, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 20, taken, 1);
+            }
             jaco2_minors_position_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3], streaming);
         }
@@ -140,7 +152,9 @@ void CHAINRULE_NAME(jaco2_null_projector_position_batch)(ptrdiff_t count, char *
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            if (!chainrule_past(streaming, 36, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            }
             jaco2_null_projector_position_tile(q, null_projector);
             chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }

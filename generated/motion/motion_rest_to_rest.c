@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.c: rest to rest of motion.
- * Made from templates/kernel.c.j2; inputs cb2cf085e82c5d274813768288605277b25fc64e5824afa92e7e3e51e06188a0.
+ * Made from templates/kernel.c.j2; inputs 71046b4df1d46617806e256601539406ec872670a5c40f2ec7ca65610b5bc45d.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char motion_rest_to_rest_digest[] = "cb2cf085e82c5d274813768288605277b25fc64e5824afa92e7e3e51e06188a0";
+const char motion_rest_to_rest_digest[] = "71046b4df1d46617806e256601539406ec872670a5c40f2ec7ca65610b5bc45d";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(motion_rest_to_rest_batch)(ptrdiff_t count, char *const *arg
         } else {
             chainrule_gather(move, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 4, taken, 1);
+            if (!chainrule_past(streaming, 4, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 4, taken, 1);
+            }
             motion_rest_to_rest_tile(move, profile);
             chainrule_scatter(profile, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[3], steps[3], streaming);
         }
@@ -72,7 +74,9 @@ void CHAINRULE_NAME(motion_rest_to_rest_in_batch)(ptrdiff_t count, char *const *
         } else {
             chainrule_gather(move, 64, taken, args[0] + start * steps[0], steps[0], 1, 3, 3 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 4, taken, 1);
+            if (!chainrule_past(streaming, 4, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 4, taken, 1);
+            }
             motion_rest_to_rest_in_tile(move, profile);
             chainrule_scatter(profile, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[3], steps[3], streaming);
         }
@@ -100,7 +104,9 @@ void CHAINRULE_NAME(motion_rest_to_rest_state_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(instant, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            }
             motion_rest_to_rest_state_tile(instant, state);
             chainrule_scatter(state, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
         }

@@ -1,5 +1,5 @@
 /* motion_rest_to_rest.h: rest to rest of motion.
- * Made from templates/kernel.h.j2; inputs cb2cf085e82c5d274813768288605277b25fc64e5824afa92e7e3e51e06188a0.
+ * Made from templates/kernel.h.j2; inputs 71046b4df1d46617806e256601539406ec872670a5c40f2ec7ca65610b5bc45d.
  * 56 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs fdaa9365009027a79f457dc2ae032e0f16ebbd5225cfa5f1a842d0c81f2aff52.
+ * Made from templates/kernel.c.j2; inputs bd1b25407723bcd78969f284b51466464bdf0dc46f2fe370e3067cf6bf570fb5.
  * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "fdaa9365009027a79f457dc2ae032e0f16ebbd5225cfa5f1a842d0c81f2aff52";
+const char orthogonal_3r_cuspidality_digest[] = "bd1b25407723bcd78969f284b51466464bdf0dc46f2fe370e3067cf6bf570fb5";
 #endif
 
 #define LANES 64
@@ -49,7 +49,9 @@ void CHAINRULE_NAME(orthogonal_3r_quartic_batch)(ptrdiff_t count, char *const *a
                 chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 5, taken, 1);
+            if (!chainrule_past(streaming, 5, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 5, taken, 1);
+            }
             orthogonal_3r_quartic_tile(parameters, target, quartic);
             chainrule_scatter(quartic, 64, taken, args[2] + start * steps[2], steps[2], 1, 5, 5 * steps[5], steps[5], streaming);
         }
@@ -77,7 +79,9 @@ void CHAINRULE_NAME(orthogonal_3r_cusp_polynomial_batch)(ptrdiff_t count, char *
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            if (!chainrule_past(streaming, 7, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            }
             orthogonal_3r_cusp_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
         }
@@ -105,7 +109,9 @@ void CHAINRULE_NAME(orthogonal_3r_aspect_polynomial_batch)(ptrdiff_t count, char
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 5, taken, 1);
+            if (!chainrule_past(streaming, 5, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 5, taken, 1);
+            }
             orthogonal_3r_aspect_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[3], steps[3], streaming);
         }
@@ -138,7 +144,9 @@ void CHAINRULE_NAME(orthogonal_3r_determinant_terms_batch)(ptrdiff_t count, char
                 chainrule_gather(elbow, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             orthogonal_3r_determinant_terms_tile(parameters, elbow, terms);
             chainrule_scatter(terms, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -176,7 +184,9 @@ void CHAINRULE_NAME(orthogonal_3r_determinant_batch)(ptrdiff_t count, char *cons
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            }
             orthogonal_3r_determinant_tile(parameters, shoulder, elbow, determinant);
             chainrule_scatter(determinant, 64, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -204,7 +214,9 @@ void CHAINRULE_NAME(orthogonal_3r_second_axis_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            }
             orthogonal_3r_second_axis_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
         }
@@ -237,7 +249,9 @@ void CHAINRULE_NAME(orthogonal_3r_triple_point_batch)(ptrdiff_t count, char *con
                 chainrule_gather(elbow, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             orthogonal_3r_triple_point_tile(parameters, elbow, cusp);
             chainrule_scatter(cusp, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -275,7 +289,9 @@ void CHAINRULE_NAME(orthogonal_3r_image_batch)(ptrdiff_t count, char *const *arg
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            }
             orthogonal_3r_image_tile(parameters, shoulder, elbow, target);
             chainrule_scatter(target, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
         }
@@ -303,7 +319,9 @@ void CHAINRULE_NAME(orthogonal_3r_conic_terms_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 30, taken, 1);
+            if (!chainrule_past(streaming, 30, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 30, taken, 1);
+            }
             orthogonal_3r_conic_terms_tile(parameters, conic);
             chainrule_scatter(conic, 64, taken, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], streaming);
         }
@@ -341,7 +359,9 @@ void CHAINRULE_NAME(orthogonal_3r_shoulder_batch)(ptrdiff_t count, char *const *
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
             orthogonal_3r_shoulder_tile(parameters, target, elbow, ratio);
             chainrule_scatter(ratio, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -379,7 +399,9 @@ void CHAINRULE_NAME(orthogonal_3r_unturned_batch)(ptrdiff_t count, char *const *
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
             orthogonal_3r_unturned_tile(parameters, shoulder, elbow, point);
             chainrule_scatter(point, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -414,8 +436,12 @@ void CHAINRULE_NAME(orthogonal_3r_number_of_postures_batch)(ptrdiff_t count, cha
                 chainrule_gather(target, 64, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            }
             orthogonal_3r_number_of_postures_tile(parameters, target, number, margin);
             chainrule_scatter(number, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(margin, 64, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
@@ -446,8 +472,12 @@ void CHAINRULE_NAME(orthogonal_3r_classify_batch)(ptrdiff_t count, char *const *
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
             orthogonal_3r_classify_tile(parameters, domain, topology);
             chainrule_scatter(domain, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(topology, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
@@ -476,7 +506,9 @@ void CHAINRULE_NAME(orthogonal_3r_sides_batch)(ptrdiff_t count, char *const *arg
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 6, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 6, taken, 1);
+            }
             orthogonal_3r_sides_tile(parameters, sides);
             chainrule_scatter(sides, 64, taken, args[1] + start * steps[1], steps[1], 1, 6, 6 * steps[3], steps[3], streaming);
         }
@@ -504,7 +536,9 @@ void CHAINRULE_NAME(orthogonal_3r_exact_sides_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(parameters, 64, taken, args[0] + start * steps[0], steps[0], 1, 4, 4 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 4, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 9, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 9, taken, 1);
+            }
             orthogonal_3r_exact_sides_tile(parameters, sides);
             chainrule_scatter(sides, 64, taken, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], streaming);
         }

@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fdaa9365009027a79f457dc2ae032e0f16ebbd5225cfa5f1a842d0c81f2aff52.
+Made from templates/kernel.py.j2; inputs bd1b25407723bcd78969f284b51466464bdf0dc46f2fe370e3067cf6bf570fb5.
 707 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0.
+ * Made from templates/kernel.c.j2; inputs ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0";
+const char orthogonal_3r_kinematics_digest[] = "ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f";
 #endif
 
 #define LANES 64
@@ -49,7 +49,9 @@ void CHAINRULE_NAME(orthogonal_3r_position_batch)(ptrdiff_t count, char *const *
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             orthogonal_3r_position_tile(q, parameters, position);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -82,7 +84,9 @@ void CHAINRULE_NAME(orthogonal_3r_pose_batch)(ptrdiff_t count, char *const *args
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 16, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 16, taken, 1);
+            }
             orthogonal_3r_pose_tile(q, parameters, pose);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[5], steps[6], streaming);
         }
@@ -115,7 +119,9 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_position_batch)(ptrdiff_t count, char
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            }
             orthogonal_3r_jacobian_position_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -148,7 +154,9 @@ void CHAINRULE_NAME(orthogonal_3r_jacobian_pose_batch)(ptrdiff_t count, char *co
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
+            if (!chainrule_past(streaming, 18, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
+            }
             orthogonal_3r_jacobian_pose_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 3, steps[5], steps[6], streaming);
         }
@@ -183,8 +191,12 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_position_batch)(ptrdiff_t count, ch
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 9, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 9, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 9, taken, 1);
+            }
             orthogonal_3r_kinematics_position_tile(q, parameters, position, jacobian);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[7], steps[8], streaming);
@@ -220,8 +232,12 @@ void CHAINRULE_NAME(orthogonal_3r_kinematics_pose_batch)(ptrdiff_t count, char *
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 16, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 16, taken, 1);
+            }
+            if (!chainrule_past(streaming, 18, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
+            }
             orthogonal_3r_kinematics_pose_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 4, 4, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], streaming);

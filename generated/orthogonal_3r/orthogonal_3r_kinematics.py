@@ -1,6 +1,6 @@
 """kinematics of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0.
+Made from templates/kernel.py.j2; inputs ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f.
 310 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

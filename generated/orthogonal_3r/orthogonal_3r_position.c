@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.c: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs 592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0.
+ * Made from templates/kernel.c.j2; inputs ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_position_digest[] = "592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0";
+const char orthogonal_3r_position_digest[] = "ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f";
 #endif
 
 #define LANES 64
@@ -49,7 +49,9 @@ void CHAINRULE_NAME(orthogonal_3r_manipulability_position_batch)(ptrdiff_t count
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
             orthogonal_3r_manipulability_position_tile(q, parameters, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -88,10 +90,18 @@ void CHAINRULE_NAME(orthogonal_3r_manipulability_gradient_position_batch)(ptrdif
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[7], steps[7]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            }
             orthogonal_3r_manipulability_gradient_position_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
@@ -127,7 +137,9 @@ void CHAINRULE_NAME(orthogonal_3r_minors_position_batch)(ptrdiff_t count, char *
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 4, 4 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 4, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
             orthogonal_3r_minors_position_tile(q, parameters, minors);
             chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * steps[5], steps[5], streaming);
         }

@@ -1,5 +1,5 @@
 /* orthogonal_3r_position.h: manipulability (position) of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs 592126de6fcad9fe3fde0f82dad1ec7e809e66ba3baba00a1a7f5fb5fa946ac0.
+ * Made from templates/kernel.h.j2; inputs ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f.
  * 87 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs f5689e89cb2d58d9e75412a450ce6cc6acb83c7f3af275484835b71d378e2f10.
+ * Made from templates/kernel.c.j2; inputs f75c9c3298541cd0302f44e0f7e4c427b9698d4b6b8851e948aac9821ab98ccf.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "f5689e89cb2d58d9e75412a450ce6cc6acb83c7f3af275484835b71d378e2f10";
+const char panda_continuation_pose_digest[] = "f75c9c3298541cd0302f44e0f7e4c427b9698d4b6b8851e948aac9821ab98ccf";
 #endif
 
 #define LANES 32
@@ -57,9 +57,15 @@ void CHAINRULE_NAME(panda_continuation_pose_batch)(ptrdiff_t count, char *const 
                 chainrule_gather(held, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[6], steps[7]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 16, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 42, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 7, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 42, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 42, taken, 1);
+            }
+            if (!chainrule_past(streaming, 7, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 7, taken, 1);
+            }
             panda_continuation_pose_tile(q, held, error, jacobian, null_vector);
             chainrule_scatter(error, 32, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[8], steps[8], streaming);
             chainrule_scatter(jacobian, 32, taken, args[3] + start * steps[3], steps[3], 6, 7, steps[9], steps[10], streaming);
@@ -91,8 +97,12 @@ void CHAINRULE_NAME(panda_continuation_pose_bending_batch)(ptrdiff_t count, char
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 7, taken, 1);
+            if (!chainrule_past(streaming, 7, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            }
+            if (!chainrule_past(streaming, 7, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 7, taken, 1);
+            }
             panda_continuation_pose_bending_tile(q, null_vector, bending);
             chainrule_scatter(null_vector, 32, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[4], steps[4], streaming);
             chainrule_scatter(bending, 32, taken, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[5], steps[5], streaming);

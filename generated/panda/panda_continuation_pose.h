@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs f5689e89cb2d58d9e75412a450ce6cc6acb83c7f3af275484835b71d378e2f10.
+ * Made from templates/kernel.h.j2; inputs f75c9c3298541cd0302f44e0f7e4c427b9698d4b6b8851e948aac9821ab98ccf.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

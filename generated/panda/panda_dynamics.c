@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs 84b1bdfd366f8479e0f9d0e90ddb2c78efd5e74865e713717c50cc24b322786e.
+ * Made from templates/kernel.c.j2; inputs 9baae381274b7fa2dcf8ab570a06740d0e51d7faf167a819940ca4a55f634427.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "84b1bdfd366f8479e0f9d0e90ddb2c78efd5e74865e713717c50cc24b322786e";
+const char panda_dynamics_digest[] = "9baae381274b7fa2dcf8ab570a06740d0e51d7faf167a819940ca4a55f634427";
 #endif
 
 #define LANES 32
@@ -69,7 +69,9 @@ void CHAINRULE_NAME(panda_inverse_dynamics_batch)(ptrdiff_t count, char *const *
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 70, taken, 0);
             chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
             chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 6, taken, 0);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 7, taken, 1);
+            if (!chainrule_past(streaming, 7, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 7, taken, 1);
+            }
             panda_inverse_dynamics_tile(q, rates, accelerations, inertias, gravity, wrench, torque);
             chainrule_scatter(torque, 32, taken, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[14], steps[14], streaming);
         }

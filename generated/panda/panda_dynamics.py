@@ -1,6 +1,6 @@
 """dynamics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 84b1bdfd366f8479e0f9d0e90ddb2c78efd5e74865e713717c50cc24b322786e.
+Made from templates/kernel.py.j2; inputs 9baae381274b7fa2dcf8ab570a06740d0e51d7faf167a819940ca4a55f634427.
 845 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93.
+ * Made from templates/kernel.c.j2; inputs 265798e0fc47800a8986f38af5a8f933f20d8b205316e99b01f671c6ce43d5ff.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93";
+const char panda_kinematics_digest[] = "265798e0fc47800a8986f38af5a8f933f20d8b205316e99b01f671c6ce43d5ff";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(panda_position_batch)(ptrdiff_t count, char *const *args, co
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
             panda_position_tile(q, position);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -72,7 +74,9 @@ void CHAINRULE_NAME(panda_pose_batch)(ptrdiff_t count, char *const *args, const 
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
             panda_pose_tile(q, pose);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -100,7 +104,9 @@ void CHAINRULE_NAME(panda_jacobian_position_batch)(ptrdiff_t count, char *const 
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 21, taken, 1);
+            if (!chainrule_past(streaming, 21, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 21, taken, 1);
+            }
             panda_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 7, steps[3], steps[4], streaming);
         }
@@ -128,7 +134,9 @@ void CHAINRULE_NAME(panda_jacobian_pose_batch)(ptrdiff_t count, char *const *arg
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 42, taken, 1);
+            if (!chainrule_past(streaming, 42, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 42, taken, 1);
+            }
             panda_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 7, steps[3], steps[4], streaming);
         }
@@ -158,8 +166,12 @@ void CHAINRULE_NAME(panda_kinematics_position_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 21, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 21, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 21, taken, 1);
+            }
             panda_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 7, steps[5], steps[6], streaming);
@@ -190,8 +202,12 @@ void CHAINRULE_NAME(panda_kinematics_pose_batch)(ptrdiff_t count, char *const *a
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 42, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
+            if (!chainrule_past(streaming, 42, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 42, taken, 1);
+            }
             panda_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 7, steps[6], steps[7], streaming);

@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93.
+ * Made from templates/kernel.h.j2; inputs 265798e0fc47800a8986f38af5a8f933f20d8b205316e99b01f671c6ce43d5ff.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d6d5164ef32b032b2f6a98160b95f54aaee5e305757ce71f558f85a104e03e93.
+Made from templates/kernel.py.j2; inputs 265798e0fc47800a8986f38af5a8f933f20d8b205316e99b01f671c6ce43d5ff.
 1030 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_pose.c: manipulability (pose) of panda.
- * Made from templates/kernel.c.j2; inputs a5383a45a6dedb7a3a81075d91d400ffa0ece1be45870b038bf898e6aa1372da.
+ * Made from templates/kernel.c.j2; inputs 1fda47f0ef97ebb20dd742d9f3f296e25f13542cbf5088d9770fe0f2969071fa.
  * 1906 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_pose_digest[] = "a5383a45a6dedb7a3a81075d91d400ffa0ece1be45870b038bf898e6aa1372da";
+const char panda_pose_digest[] = "1fda47f0ef97ebb20dd742d9f3f296e25f13542cbf5088d9770fe0f2969071fa";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(panda_manipulability_pose_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
             panda_manipulability_pose_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -78,10 +80,18 @@ void CHAINRULE_NAME(panda_manipulability_gradient_pose_batch)(ptrdiff_t count, c
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 7, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 7, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 7, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 7, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 7, taken, 1);
+            }
+            if (!chainrule_past(streaming, 7, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 7, taken, 1);
+            }
+            if (!chainrule_past(streaming, 7, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 7, taken, 1);
+            }
             panda_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 7, 7 * steps[6], steps[6], streaming);
@@ -112,7 +122,9 @@ void CHAINRULE_NAME(panda_minors_pose_batch)(ptrdiff_t count, char *const *args,
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            if (!chainrule_past(streaming, 7, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            }
             panda_minors_pose_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
         }
@@ -140,7 +152,9 @@ void CHAINRULE_NAME(panda_null_vector_pose_batch)(ptrdiff_t count, char *const *
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            if (!chainrule_past(streaming, 7, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            }
             panda_null_vector_pose_tile(q, null_vector);
             chainrule_scatter(null_vector, 64, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
         }
@@ -168,7 +182,9 @@ void CHAINRULE_NAME(panda_null_projector_pose_batch)(ptrdiff_t count, char *cons
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 7, 7 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 7, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 49, taken, 1);
+            if (!chainrule_past(streaming, 49, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 49, taken, 1);
+            }
             panda_null_projector_pose_tile(q, null_projector);
             chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 7, 7, steps[3], steps[4], streaming);
         }

@@ -1,5 +1,5 @@
 /* panda_pose.h: manipulability (pose) of panda.
- * Made from templates/kernel.h.j2; inputs a5383a45a6dedb7a3a81075d91d400ffa0ece1be45870b038bf898e6aa1372da.
+ * Made from templates/kernel.h.j2; inputs 1fda47f0ef97ebb20dd742d9f3f296e25f13542cbf5088d9770fe0f2969071fa.
  * 1906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (pose) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a5383a45a6dedb7a3a81075d91d400ffa0ece1be45870b038bf898e6aa1372da.
+Made from templates/kernel.py.j2; inputs 1fda47f0ef97ebb20dd742d9f3f296e25f13542cbf5088d9770fe0f2969071fa.
 1906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs ece776f0b0bb9ed0a88cc9756e6f4456d1f36e0a9ac392dff90250747bcd2266.
+ * Made from templates/kernel.c.j2; inputs cfc1ecdc9112a7a7ef153486d4c3ae94d63b8efdd39bd2aa4880fbabc789de7c.
  * 2211 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "ece776f0b0bb9ed0a88cc9756e6f4456d1f36e0a9ac392dff90250747bcd2266";
+const char panda_redundancy_pose_digest[] = "cfc1ecdc9112a7a7ef153486d4c3ae94d63b8efdd39bd2aa4880fbabc789de7c";
 #endif
 
 #define LANES 16
@@ -77,11 +77,21 @@ void CHAINRULE_NAME(panda_step_pose_batch)(ptrdiff_t count, char *const *args, c
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 7, taken, 0);
             chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 28, taken, 0);
             chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 12, taken, 0);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 7, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 7, taken, 1);
-            chainrule_fetch(args[8] + start * steps[8], steps[8], 1, taken, 1);
-            chainrule_fetch(args[9] + start * steps[9], steps[9], 6, taken, 1);
-            chainrule_fetch(args[10] + start * steps[10], steps[10], 7, taken, 1);
+            if (!chainrule_past(streaming, 7, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 7, taken, 1);
+            }
+            if (!chainrule_past(streaming, 7, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 7, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[8])) {
+                chainrule_fetch(args[8] + start * steps[8], steps[8], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[9])) {
+                chainrule_fetch(args[9] + start * steps[9], steps[9], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 7, steps[10])) {
+                chainrule_fetch(args[10] + start * steps[10], steps[10], 7, taken, 1);
+            }
             panda_step_pose_tile(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
             chainrule_scatter(q_next, 16, taken, args[6] + start * steps[6], steps[6], 1, 7, 7 * steps[19], steps[19], streaming);
             chainrule_scatter(rates, 16, taken, args[7] + start * steps[7], steps[7], 1, 7, 7 * steps[20], steps[20], streaming);

@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ece776f0b0bb9ed0a88cc9756e6f4456d1f36e0a9ac392dff90250747bcd2266.
+Made from templates/kernel.py.j2; inputs cfc1ecdc9112a7a7ef153486d4c3ae94d63b8efdd39bd2aa4880fbabc789de7c.
 2211 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

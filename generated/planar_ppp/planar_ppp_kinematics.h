@@ -1,5 +1,5 @@
 /* planar_ppp_kinematics.h: kinematics of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 896237158d69ed647aa56be5e815ead43a8ba71c369d7240c3202046911771c5.
+ * Made from templates/kernel.h.j2; inputs c10f172dc287f219cb90e6aeac92458aec7f09d557c5534384d204b317f2d90d.
  * 209 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_ppp_motion.h: motion of planar_ppp.
- * Made from templates/kernel.h.j2; inputs caf3800543e7f7a3e7f53971b456abec2e3e75f3d5c24c3e4e78aa63bf1fc4c1.
+ * Made from templates/kernel.h.j2; inputs bd6aef8f0310a9f6c4cf51fc1aff8c0a4f966eeaea47ad70a09726da0e955413.
  * 120 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

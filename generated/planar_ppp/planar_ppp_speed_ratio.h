@@ -1,5 +1,5 @@
 /* planar_ppp_speed_ratio.h: speed ratio of planar_ppp.
- * Made from templates/kernel.h.j2; inputs 5866f1789f90d4a2daff2973548a370e4f57112c79d9617b9aaf6e5b1e4758f3.
+ * Made from templates/kernel.h.j2; inputs ed99f203c53e369bbff1ddfeafc564f17a2be190cc8c2e4f9796913b98fb7552.
  * 583 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

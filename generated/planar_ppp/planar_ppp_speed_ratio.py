@@ -1,6 +1,6 @@
 """speed ratio of planar_ppp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 5866f1789f90d4a2daff2973548a370e4f57112c79d9617b9aaf6e5b1e4758f3.
+Made from templates/kernel.py.j2; inputs ed99f203c53e369bbff1ddfeafc564f17a2be190cc8c2e4f9796913b98fb7552.
 583 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

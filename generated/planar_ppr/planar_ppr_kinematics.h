@@ -1,5 +1,5 @@
 /* planar_ppr_kinematics.h: kinematics of planar_ppr.
- * Made from templates/kernel.h.j2; inputs 59371e49c3a72c20082466a878e46108fb7f6738e6d103255c14c4483a8566aa.
+ * Made from templates/kernel.h.j2; inputs 53d7f8643a86728b07b401ce59e9931d3695ce77789b638679047a20b9b42e53.
  * 215 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 51c4077d97f06abf78d840c8d218466108acbf613d3c416765547cb3167dd72d.
+Made from templates/kernel.py.j2; inputs 18b1241e3541d21e565a17924e6723715e4f0ff2f740f05ea3a4f07b096ae92a.
 161 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

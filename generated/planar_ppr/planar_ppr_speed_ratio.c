@@ -1,5 +1,5 @@
 /* planar_ppr_speed_ratio.c: speed ratio of planar_ppr.
- * Made from templates/kernel.c.j2; inputs 23fded3163b8816b0d358d825231af8ce3e3c7648c65479d94f1d10ab0ad6496.
+ * Made from templates/kernel.c.j2; inputs cbe6ca84f20a33b7564517e79ef72ef22152d24e1262fcbafca631396bd75808.
  * 783 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_ppr_speed_ratio_digest[] = "23fded3163b8816b0d358d825231af8ce3e3c7648c65479d94f1d10ab0ad6496";
+const char planar_ppr_speed_ratio_digest[] = "cbe6ca84f20a33b7564517e79ef72ef22152d24e1262fcbafca631396bd75808";
 #endif
 
 #define LANES 64
@@ -75,15 +75,33 @@ void CHAINRULE_NAME(planar_ppr_speed_ratio_terms_1_batch)(ptrdiff_t count, char 
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
-            chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
-            chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
-            chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
-            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
-            chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[8])) {
+                chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[9])) {
+                chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[10])) {
+                chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[11])) {
+                chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[12])) {
+                chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
+            }
             planar_ppr_speed_ratio_terms_1_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
             chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
             chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
@@ -150,15 +168,33 @@ void CHAINRULE_NAME(planar_ppr_speed_ratio_terms_2_batch)(ptrdiff_t count, char 
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
-            chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
-            chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
-            chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
-            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
-            chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[8])) {
+                chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[9])) {
+                chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[10])) {
+                chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[11])) {
+                chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[12])) {
+                chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
+            }
             planar_ppr_speed_ratio_terms_2_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
             chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
             chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
@@ -225,15 +261,33 @@ void CHAINRULE_NAME(planar_ppr_speed_ratio_terms_3_batch)(ptrdiff_t count, char 
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
-            chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
-            chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
-            chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
-            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
-            chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[8])) {
+                chainrule_fetch(args[8] + start * steps[8], steps[8], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[9])) {
+                chainrule_fetch(args[9] + start * steps[9], steps[9], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[10])) {
+                chainrule_fetch(args[10] + start * steps[10], steps[10], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[11])) {
+                chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[12])) {
+                chainrule_fetch(args[12] + start * steps[12], steps[12], 1, taken, 1);
+            }
             planar_ppr_speed_ratio_terms_3_tile(q, parameters, tangent, curvature, A, B, B0, B1, a, b, C, D, discriminant);
             chainrule_scatter(A, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[17], steps[17], streaming);
             chainrule_scatter(B, 64, taken, args[5] + start * steps[5], steps[5], 1, 6, 6 * steps[18], steps[18], streaming);
@@ -305,15 +359,33 @@ void CHAINRULE_NAME(planar_ppr_speed_ratio_rates_batch)(ptrdiff_t count, char *c
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 2, taken, 0);
             chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 2, taken, 1);
-            chainrule_fetch(args[8] + start * steps[8], steps[8], 2, taken, 1);
-            chainrule_fetch(args[9] + start * steps[9], steps[9], 5, taken, 1);
-            chainrule_fetch(args[10] + start * steps[10], steps[10], 3, taken, 1);
-            chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
-            chainrule_fetch(args[12] + start * steps[12], steps[12], 3, taken, 1);
-            chainrule_fetch(args[13] + start * steps[13], steps[13], 3, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
+            }
+            if (!chainrule_past(streaming, 2, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 2, steps[8])) {
+                chainrule_fetch(args[8] + start * steps[8], steps[8], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 5, steps[9])) {
+                chainrule_fetch(args[9] + start * steps[9], steps[9], 5, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[10])) {
+                chainrule_fetch(args[10] + start * steps[10], steps[10], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[11])) {
+                chainrule_fetch(args[11] + start * steps[11], steps[11], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[12])) {
+                chainrule_fetch(args[12] + start * steps[12], steps[12], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[13])) {
+                chainrule_fetch(args[13] + start * steps[13], steps[13], 3, taken, 1);
+            }
             planar_ppr_speed_ratio_rates_tile(q, parameters, tangent, curvature, leading, rates, ratios, tracked, tracked_rate, verdict, parabola, slack, least, null);
             chainrule_scatter(rates, 64, taken, args[5] + start * steps[5], steps[5], 2, 3, steps[19], steps[20], streaming);
             chainrule_scatter(ratios, 64, taken, args[6] + start * steps[6], steps[6], 2, 2, steps[21], steps[22], streaming);

@@ -1,6 +1,6 @@
 """speed ratio of planar_ppr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 23fded3163b8816b0d358d825231af8ce3e3c7648c65479d94f1d10ab0ad6496.
+Made from templates/kernel.py.j2; inputs cbe6ca84f20a33b7564517e79ef72ef22152d24e1262fcbafca631396bd75808.
 783 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """kinematics of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d799fbefb33b6ca54a531ff0d945b0960e3d50698e44d6dbc8348bec7dde0f4c.
+Made from templates/kernel.py.j2; inputs e778a0d236fe4f69708dd80ffd322bfc9dde84eceaa5151ab8cf4193d1484fd5.
 254 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

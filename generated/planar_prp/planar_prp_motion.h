@@ -1,5 +1,5 @@
 /* planar_prp_motion.h: motion of planar_prp.
- * Made from templates/kernel.h.j2; inputs 61bef007c96ed652ba1922709ea67faddaa84bb08bb2498ac3738b86ed6395df.
+ * Made from templates/kernel.h.j2; inputs 7eeb450ee91bebd697b60cf7e0deb29d375406602e39b9b258699015f72d46fc.
  * 232 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_prp_speed_ratio.h: speed ratio of planar_prp.
- * Made from templates/kernel.h.j2; inputs 18645607ea892f732ae4d9f10993c4cb358129e2e099b76671ef87bb046aa94f.
+ * Made from templates/kernel.h.j2; inputs a4f105eb3213dd7eee3af29d429db018dced739b6068ddbe7f702dc6c93cd313.
  * 906 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

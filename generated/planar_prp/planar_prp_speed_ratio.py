@@ -1,6 +1,6 @@
 """speed ratio of planar_prp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 18645607ea892f732ae4d9f10993c4cb358129e2e099b76671ef87bb046aa94f.
+Made from templates/kernel.py.j2; inputs a4f105eb3213dd7eee3af29d429db018dced739b6068ddbe7f702dc6c93cd313.
 906 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_prr_kinematics.h: kinematics of planar_prr.
- * Made from templates/kernel.h.j2; inputs 11aeba48a9f61cb9e5ab04c930fb89e2775cedd4ec17c2725825e19f3b295c47.
+ * Made from templates/kernel.h.j2; inputs e8e5f51560e473f893e28b6592d004304f5270768f920dfeb49d0573daa58903.
  * 249 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of planar_prr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 11aeba48a9f61cb9e5ab04c930fb89e2775cedd4ec17c2725825e19f3b295c47.
+Made from templates/kernel.py.j2; inputs e8e5f51560e473f893e28b6592d004304f5270768f920dfeb49d0573daa58903.
 249 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

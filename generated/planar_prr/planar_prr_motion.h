@@ -1,5 +1,5 @@
 /* planar_prr_motion.h: motion of planar_prr.
- * Made from templates/kernel.h.j2; inputs 196fdaf351e43628f5ec7e18ed8825044ac821a9d8fe1e939df2ebb1829d1340.
+ * Made from templates/kernel.h.j2; inputs 3ba599d5b18781c5deed40d4b80666fc484cf95312cb60aaabb89a9bcc40aa47.
  * 203 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

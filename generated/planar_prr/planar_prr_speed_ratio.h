@@ -1,5 +1,5 @@
 /* planar_prr_speed_ratio.h: speed ratio of planar_prr.
- * Made from templates/kernel.h.j2; inputs 2fb60c24797c4e4d9ddcfeee40fd91d6b32228245ad24e45f85c0486ef025725.
+ * Made from templates/kernel.h.j2; inputs 562e9d44e5303a69a8651f2168682fabcb3eaf445dd30ac37a12729f5d947a4c.
  * 932 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rpp_kinematics.c: kinematics of planar_rpp.
- * Made from templates/kernel.c.j2; inputs fca341cf8c736c9096ac66ce37bbdf6ec6786ab5847734337420148cb852b304.
+ * Made from templates/kernel.c.j2; inputs cf9ad193fec3f7656c181f21abb2d3291ef9d1e171c8397ba813d1a904791b5a.
  * 244 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rpp_kinematics_digest[] = "fca341cf8c736c9096ac66ce37bbdf6ec6786ab5847734337420148cb852b304";
+const char planar_rpp_kinematics_digest[] = "cf9ad193fec3f7656c181f21abb2d3291ef9d1e171c8397ba813d1a904791b5a";
 #endif
 
 #define LANES 64
@@ -49,7 +49,9 @@ void CHAINRULE_NAME(planar_rpp_position_batch)(ptrdiff_t count, char *const *arg
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
+            }
             planar_rpp_position_tile(q, parameters, position);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[5], steps[5], streaming);
         }
@@ -82,7 +84,9 @@ void CHAINRULE_NAME(planar_rpp_pose_batch)(ptrdiff_t count, char *const *args, c
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            }
             planar_rpp_pose_tile(q, parameters, pose);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -115,7 +119,9 @@ void CHAINRULE_NAME(planar_rpp_jacobian_position_batch)(ptrdiff_t count, char *c
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            }
             planar_rpp_jacobian_position_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
@@ -148,7 +154,9 @@ void CHAINRULE_NAME(planar_rpp_jacobian_x_alpha_batch)(ptrdiff_t count, char *co
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            }
             planar_rpp_jacobian_x_alpha_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 2, 3, steps[5], steps[6], streaming);
         }
@@ -181,7 +189,9 @@ void CHAINRULE_NAME(planar_rpp_jacobian_pose_batch)(ptrdiff_t count, char *const
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            }
             planar_rpp_jacobian_pose_tile(q, parameters, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }
@@ -216,8 +226,12 @@ void CHAINRULE_NAME(planar_rpp_kinematics_position_batch)(ptrdiff_t count, char 
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
             planar_rpp_kinematics_position_tile(q, parameters, position, jacobian);
             chainrule_scatter(position, 64, taken, args[2] + start * steps[2], steps[2], 1, 2, 2 * steps[6], steps[6], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[7], steps[8], streaming);
@@ -253,8 +267,12 @@ void CHAINRULE_NAME(planar_rpp_kinematics_x_alpha_batch)(ptrdiff_t count, char *
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
             planar_rpp_kinematics_x_alpha_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[8], steps[9], streaming);
@@ -290,8 +308,12 @@ void CHAINRULE_NAME(planar_rpp_kinematics_pose_batch)(ptrdiff_t count, char *con
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 5, 5 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 5, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 9, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            }
+            if (!chainrule_past(streaming, 9, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 9, taken, 1);
+            }
             planar_rpp_kinematics_pose_tile(q, parameters, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[6], steps[7], streaming);
             chainrule_scatter(jacobian, 64, taken, args[3] + start * steps[3], steps[3], 3, 3, steps[8], steps[9], streaming);

@@ -1,6 +1,6 @@
 """kinematics of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fca341cf8c736c9096ac66ce37bbdf6ec6786ab5847734337420148cb852b304.
+Made from templates/kernel.py.j2; inputs cf9ad193fec3f7656c181f21abb2d3291ef9d1e171c8397ba813d1a904791b5a.
 244 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """motion of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7a24d1c6884a3342b3f277643aa9d14f9be0e60f7129ecfa3553d86b05021f5b.
+Made from templates/kernel.py.j2; inputs 77d54a7f81bd9c4c3c0edff9dda5a2475adf10a1ab0a56b8cd7a88c3ea5d968d.
 298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpp_speed_ratio.h: speed ratio of planar_rpp.
- * Made from templates/kernel.h.j2; inputs 8be3ca8ba98576b26ed3faa27e0ce3067d355d1f2e82fb147f2874d4c2b20f2b.
+ * Made from templates/kernel.h.j2; inputs bbd55a6dc48654b17d6688ff647e44e7f882e5a77b071d4af5478b7b3f9a656d.
  * 978 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rpp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 8be3ca8ba98576b26ed3faa27e0ce3067d355d1f2e82fb147f2874d4c2b20f2b.
+Made from templates/kernel.py.j2; inputs bbd55a6dc48654b17d6688ff647e44e7f882e5a77b071d4af5478b7b3f9a656d.
 978 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_kinematics.h: kinematics of planar_rpr.
- * Made from templates/kernel.h.j2; inputs ee95ce56dbfc7f4f51e06905402b1bc64e416df36a414ca23531208fe977bdac.
+ * Made from templates/kernel.h.j2; inputs 9d6112ab29294fae694127dde152f0e87b3d761327100ba186f357511b22bf98.
  * 239 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rpr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 478ea6cfd490f1a36e94a7859c290b42a792828b489fed18803e5fa1f690b634.
+Made from templates/kernel.py.j2; inputs ee3a9f911eca78b26c8a152119d91b3c6de3b77a6e7abec428b72d8cc0446481.
 274 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rpr_speed_ratio.h: speed ratio of planar_rpr.
- * Made from templates/kernel.h.j2; inputs 3cec4fc897c2ab192f67b50b66133b2f79257f88e9b50808065df592a2ddd4fe.
+ * Made from templates/kernel.h.j2; inputs 178ae5954533afec5527ca5b7b5103ff22ac829c78aa719ec532041a398937a9.
  * 1003 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

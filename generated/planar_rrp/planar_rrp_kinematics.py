@@ -1,6 +1,6 @@
 """kinematics of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 599a28195eba5839e416a896badbbcd6efed2e27a93c821ded5be289b85329e2.
+Made from templates/kernel.py.j2; inputs f79f4b1361dac1ef43ccf7c80f744b9613be50553efaca844d945cda631a64da.
 252 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_motion.c: motion of planar_rrp.
- * Made from templates/kernel.c.j2; inputs 64720cd230e4086a8138c3c82fe50777130d43baf855083c254218e33389980f.
+ * Made from templates/kernel.c.j2; inputs 5c95cf2c8c379e817760f14d4bee6dcee70998a13bb45c272c84b9df31621ce7.
  * 272 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrp_motion_digest[] = "64720cd230e4086a8138c3c82fe50777130d43baf855083c254218e33389980f";
+const char planar_rrp_motion_digest[] = "5c95cf2c8c379e817760f14d4bee6dcee70998a13bb45c272c84b9df31621ce7";
 #endif
 
 #define LANES 64
@@ -66,8 +66,12 @@ void CHAINRULE_NAME(planar_rrp_tip_motion_batch)(ptrdiff_t count, char *const *a
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
             chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 10, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
+            if (!chainrule_past(streaming, 10, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 10, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
+            }
             planar_rrp_tip_motion_tile(q, parameters, rates, second, third, derivatives, path);
             chainrule_scatter(derivatives, 64, taken, args[5] + start * steps[5], steps[5], 5, 2, steps[12], steps[13], streaming);
             chainrule_scatter(path, 64, taken, args[6] + start * steps[6], steps[6], 1, 4, 4 * steps[14], steps[14], streaming);

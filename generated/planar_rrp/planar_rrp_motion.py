@@ -1,6 +1,6 @@
 """motion of planar_rrp, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 64720cd230e4086a8138c3c82fe50777130d43baf855083c254218e33389980f.
+Made from templates/kernel.py.j2; inputs 5c95cf2c8c379e817760f14d4bee6dcee70998a13bb45c272c84b9df31621ce7.
 272 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrp_speed_ratio.h: speed ratio of planar_rrp.
- * Made from templates/kernel.h.j2; inputs 29e9d08eaaafe12c8fd1a3d3a3a65217f90e0d3c8117686a470cc7304ff4bab2.
+ * Made from templates/kernel.h.j2; inputs a77b81486db828bd284f5cfb02e8762176718d8c276020b386ffce3094ac9a5c.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.c: continuation x alpha of planar_rrr.
- * Made from templates/kernel.c.j2; inputs fb9f4670c0fde24c8d6c9b7e03d55971aadbb73ffb9d0d6e5bcb803728af60e7.
+ * Made from templates/kernel.c.j2; inputs 376ff6ff3ef38f03cbe0b8beace8644ad4eb8a94545c5a330320b3c1daed9b0d.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_continuation_x_alpha_digest[] = "fb9f4670c0fde24c8d6c9b7e03d55971aadbb73ffb9d0d6e5bcb803728af60e7";
+const char planar_rrr_continuation_x_alpha_digest[] = "376ff6ff3ef38f03cbe0b8beace8644ad4eb8a94545c5a330320b3c1daed9b0d";
 #endif
 
 #define LANES 64
@@ -62,9 +62,15 @@ void CHAINRULE_NAME(planar_rrr_continuation_x_alpha_batch)(ptrdiff_t count, char
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            }
             planar_rrr_continuation_x_alpha_tile(q, held, parameters, error, jacobian, null_vector);
             chainrule_scatter(error, 64, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[9], steps[9], streaming);
             chainrule_scatter(jacobian, 64, taken, args[4] + start * steps[4], steps[4], 2, 3, steps[10], steps[11], streaming);
@@ -101,8 +107,12 @@ void CHAINRULE_NAME(planar_rrr_continuation_x_alpha_bending_batch)(ptrdiff_t cou
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
             planar_rrr_continuation_x_alpha_bending_tile(q, parameters, null_vector, bending);
             chainrule_scatter(null_vector, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[6], steps[6], streaming);
             chainrule_scatter(bending, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);

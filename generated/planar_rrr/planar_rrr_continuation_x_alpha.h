@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs fb9f4670c0fde24c8d6c9b7e03d55971aadbb73ffb9d0d6e5bcb803728af60e7.
+ * Made from templates/kernel.h.j2; inputs 376ff6ff3ef38f03cbe0b8beace8644ad4eb8a94545c5a330320b3c1daed9b0d.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

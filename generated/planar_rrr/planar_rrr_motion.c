@@ -1,5 +1,5 @@
 /* planar_rrr_motion.c: motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs 2464998ac776ac3daf644fa7b8730df8784c1f4adb632ff264bf79e5c5e9b076.
+ * Made from templates/kernel.c.j2; inputs aceb1af2692c82620993cc4855a155afd8de8aa3c47ff78eaeabf64df580c14e.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_motion_digest[] = "2464998ac776ac3daf644fa7b8730df8784c1f4adb632ff264bf79e5c5e9b076";
+const char planar_rrr_motion_digest[] = "aceb1af2692c82620993cc4855a155afd8de8aa3c47ff78eaeabf64df580c14e";
 #endif
 
 #define LANES 64
@@ -66,8 +66,12 @@ void CHAINRULE_NAME(planar_rrr_tip_motion_batch)(ptrdiff_t count, char *const *a
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
             chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 10, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
+            if (!chainrule_past(streaming, 10, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 10, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 4, taken, 1);
+            }
             planar_rrr_tip_motion_tile(q, parameters, rates, second, third, derivatives, path);
             chainrule_scatter(derivatives, 64, taken, args[5] + start * steps[5], steps[5], 5, 2, steps[12], steps[13], streaming);
             chainrule_scatter(path, 64, taken, args[6] + start * steps[6], steps[6], 1, 4, 4 * steps[14], steps[14], streaming);

@@ -1,5 +1,5 @@
 /* planar_rrr_motion.h: motion of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 2464998ac776ac3daf644fa7b8730df8784c1f4adb632ff264bf79e5c5e9b076.
+ * Made from templates/kernel.h.j2; inputs aceb1af2692c82620993cc4855a155afd8de8aa3c47ff78eaeabf64df580c14e.
  * 248 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 2464998ac776ac3daf644fa7b8730df8784c1f4adb632ff264bf79e5c5e9b076.
+Made from templates/kernel.py.j2; inputs aceb1af2692c82620993cc4855a155afd8de8aa3c47ff78eaeabf64df580c14e.
 248 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

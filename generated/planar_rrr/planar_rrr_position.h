@@ -1,5 +1,5 @@
 /* planar_rrr_position.h: manipulability (position) of planar_rrr.
- * Made from templates/kernel.h.j2; inputs c713762fcf243f652833215f35c86c5ef9c1720fa9ac114384bcff4a6b4af03b.
+ * Made from templates/kernel.h.j2; inputs 2015c547c4b653d0a768ae988d6c31027bb4c3d4b095f6dfe5de0b9130c064d2.
  * 204 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

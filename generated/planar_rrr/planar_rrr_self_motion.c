@@ -1,5 +1,5 @@
 /* planar_rrr_self_motion.c: self motion of planar_rrr.
- * Made from templates/kernel.c.j2; inputs e7eded0163682610d248d75b3c2272b22a38e947fd81e9bec3599600a4b9bfbb.
+ * Made from templates/kernel.c.j2; inputs 2d6e0728d7e0471aa1f34711d97efcdc8ee46c6069e2bce80c53b394abd5f280.
  * 1479 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_self_motion_digest[] = "e7eded0163682610d248d75b3c2272b22a38e947fd81e9bec3599600a4b9bfbb";
+const char planar_rrr_self_motion_digest[] = "2d6e0728d7e0471aa1f34711d97efcdc8ee46c6069e2bce80c53b394abd5f280";
 #endif
 
 #define LANES 64
@@ -56,8 +56,12 @@ void CHAINRULE_NAME(planar_rrr_self_motion_gaps_position_batch)(ptrdiff_t count,
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 2, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            }
             planar_rrr_self_motion_gaps_position_tile(reach, sums, parameters, gaps, pattern);
             chainrule_scatter(gaps, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
             chainrule_scatter(pattern, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
@@ -101,7 +105,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_speed_position_batch)(ptrdiff_t count
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            }
             planar_rrr_self_motion_speed_position_tile(node, reach, sums, parameters, speed);
             chainrule_scatter(speed, 64, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -144,7 +150,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_turn_position_batch)(ptrdiff_t count,
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            }
             planar_rrr_self_motion_turn_position_tile(node, reach, sums, parameters, phi);
             chainrule_scatter(phi, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -193,10 +201,18 @@ void CHAINRULE_NAME(planar_rrr_self_motion_point_position_batch)(ptrdiff_t count
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
+            }
             planar_rrr_self_motion_point_position_tile(turn, reach, sums, parameters, q, rates, manipulability, speed);
             chainrule_scatter(q, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[12], steps[12], streaming);
             chainrule_scatter(rates, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[13], steps[13], streaming);
@@ -242,7 +258,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_phase_position_batch)(ptrdiff_t count
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            }
             planar_rrr_self_motion_phase_position_tile(halves, reach, sums, parameters, phase);
             chainrule_scatter(phase, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -280,7 +298,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_extremes_position_batch)(ptrdiff_t co
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
             planar_rrr_self_motion_extremes_position_tile(reach, sums, parameters, extremes);
             chainrule_scatter(extremes, 64, taken, args[3] + start * steps[3], steps[3], 3, 2, steps[7], steps[8], streaming);
         }
@@ -320,8 +340,12 @@ void CHAINRULE_NAME(planar_rrr_self_motion_stops_position_batch)(ptrdiff_t count
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            if (!chainrule_past(streaming, 18, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
             planar_rrr_self_motion_stops_position_tile(stops, reach, parameters, q, radicands);
             chainrule_scatter(q, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], streaming);
             chainrule_scatter(radicands, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[10], steps[10], streaming);
@@ -362,8 +386,12 @@ void CHAINRULE_NAME(planar_rrr_self_motion_gaps_x_alpha_batch)(ptrdiff_t count, 
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 2, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            }
             planar_rrr_self_motion_gaps_x_alpha_tile(reach, sums, parameters, gaps, pattern);
             chainrule_scatter(gaps, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
             chainrule_scatter(pattern, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
@@ -407,7 +435,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_speed_x_alpha_batch)(ptrdiff_t count,
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            }
             planar_rrr_self_motion_speed_x_alpha_tile(node, reach, sums, parameters, speed);
             chainrule_scatter(speed, 64, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -450,7 +480,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_turn_x_alpha_batch)(ptrdiff_t count, 
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            }
             planar_rrr_self_motion_turn_x_alpha_tile(node, reach, sums, parameters, phi);
             chainrule_scatter(phi, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -499,10 +531,18 @@ void CHAINRULE_NAME(planar_rrr_self_motion_point_x_alpha_batch)(ptrdiff_t count,
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
+            }
             planar_rrr_self_motion_point_x_alpha_tile(turn, reach, sums, parameters, q, rates, manipulability, speed);
             chainrule_scatter(q, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[12], steps[12], streaming);
             chainrule_scatter(rates, 64, taken, args[5] + start * steps[5], steps[5], 1, 3, 3 * steps[13], steps[13], streaming);
@@ -548,7 +588,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_phase_x_alpha_batch)(ptrdiff_t count,
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 8, taken, 0);
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 3, taken, 0);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            }
             planar_rrr_self_motion_phase_x_alpha_tile(halves, reach, sums, parameters, phase);
             chainrule_scatter(phase, 64, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
         }
@@ -586,7 +628,9 @@ void CHAINRULE_NAME(planar_rrr_self_motion_extremes_x_alpha_batch)(ptrdiff_t cou
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 1, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 8, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
             planar_rrr_self_motion_extremes_x_alpha_tile(reach, sums, parameters, extremes);
             chainrule_scatter(extremes, 64, taken, args[3] + start * steps[3], steps[3], 3, 2, steps[7], steps[8], streaming);
         }
@@ -626,8 +670,12 @@ void CHAINRULE_NAME(planar_rrr_self_motion_stops_x_alpha_batch)(ptrdiff_t count,
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 1, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 3, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            if (!chainrule_past(streaming, 18, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 18, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
             planar_rrr_self_motion_stops_x_alpha_tile(stops, reach, parameters, q, radicands);
             chainrule_scatter(q, 64, taken, args[3] + start * steps[3], steps[3], 6, 3, steps[8], steps[9], streaming);
             chainrule_scatter(radicands, 64, taken, args[4] + start * steps[4], steps[4], 1, 3, 3 * steps[10], steps[10], streaming);

@@ -1,6 +1,6 @@
 """self motion of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e7eded0163682610d248d75b3c2272b22a38e947fd81e9bec3599600a4b9bfbb.
+Made from templates/kernel.py.j2; inputs 2d6e0728d7e0471aa1f34711d97efcdc8ee46c6069e2bce80c53b394abd5f280.
 1479 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,6 +1,6 @@
 """speed ratio of planar_rrr, in NumPy.
 
-Made from templates/kernel.py.j2; inputs a0c1db7a9a7e3a74dfe82c2e4ead961bb4a9273254a8ee11b3dc25898280c435.
+Made from templates/kernel.py.j2; inputs 33801b8f126a5fb56d19b040dbb61deaa21de905138b4b32ca17c173b8225e70.
 999 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

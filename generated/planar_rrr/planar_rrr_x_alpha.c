@@ -1,5 +1,5 @@
 /* planar_rrr_x_alpha.c: manipulability (x_alpha) of planar_rrr.
- * Made from templates/kernel.c.j2; inputs c713762fcf243f652833215f35c86c5ef9c1720fa9ac114384bcff4a6b4af03b.
+ * Made from templates/kernel.c.j2; inputs 2015c547c4b653d0a768ae988d6c31027bb4c3d4b095f6dfe5de0b9130c064d2.
  * 256 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char planar_rrr_x_alpha_digest[] = "c713762fcf243f652833215f35c86c5ef9c1720fa9ac114384bcff4a6b4af03b";
+const char planar_rrr_x_alpha_digest[] = "2015c547c4b653d0a768ae988d6c31027bb4c3d4b095f6dfe5de0b9130c064d2";
 #endif
 
 #define LANES 64
@@ -49,7 +49,9 @@ void CHAINRULE_NAME(planar_rrr_manipulability_x_alpha_batch)(ptrdiff_t count, ch
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
             planar_rrr_manipulability_x_alpha_tile(q, parameters, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -88,10 +90,18 @@ void CHAINRULE_NAME(planar_rrr_manipulability_gradient_x_alpha_batch)(ptrdiff_t 
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[7], steps[7]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 3, taken, 1);
+            }
             planar_rrr_manipulability_gradient_x_alpha_tile(q, parameters, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
@@ -127,7 +137,9 @@ void CHAINRULE_NAME(planar_rrr_minors_x_alpha_batch)(ptrdiff_t count, char *cons
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             planar_rrr_minors_x_alpha_tile(q, parameters, minors);
             chainrule_scatter(minors, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -160,7 +172,9 @@ void CHAINRULE_NAME(planar_rrr_null_vector_x_alpha_batch)(ptrdiff_t count, char 
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             planar_rrr_null_vector_x_alpha_tile(q, parameters, null_vector);
             chainrule_scatter(null_vector, 64, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -193,7 +207,9 @@ void CHAINRULE_NAME(planar_rrr_null_projector_x_alpha_batch)(ptrdiff_t count, ch
                 chainrule_gather(parameters, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 9, taken, 1);
+            }
             planar_rrr_null_projector_x_alpha_tile(q, parameters, null_projector);
             chainrule_scatter(null_projector, 64, taken, args[2] + start * steps[2], steps[2], 3, 3, steps[5], steps[6], streaming);
         }

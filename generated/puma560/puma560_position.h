@@ -1,5 +1,5 @@
 /* puma560_position.h: manipulability (position) of puma560.
- * Made from templates/kernel.h.j2; inputs 339be3b3bc4e9ef5da5311a992d7958a769c36be3fcee1dc57208330ff21d2fc.
+ * Made from templates/kernel.h.j2; inputs 3b161a89529d774eaf045145d527624208b2726691a548a3ede57c67f940f626.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """manipulability (position) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 339be3b3bc4e9ef5da5311a992d7958a769c36be3fcee1dc57208330ff21d2fc.
+Made from templates/kernel.py.j2; inputs 3b161a89529d774eaf045145d527624208b2726691a548a3ede57c67f940f626.
 298 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

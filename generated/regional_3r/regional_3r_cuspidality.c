@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs 0b6ce34ff8146822b9ad6c109c76eaac1e6de8bc76b516dea8eccf95aa447065.
+ * Made from templates/kernel.c.j2; inputs e1de2f40d3647cfe049b83a697e973124630346e5f7a07f28271ae656e21247d.
  * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "0b6ce34ff8146822b9ad6c109c76eaac1e6de8bc76b516dea8eccf95aa447065";
+const char regional_3r_cuspidality_digest[] = "e1de2f40d3647cfe049b83a697e973124630346e5f7a07f28271ae656e21247d";
 #endif
 
 #define LANES 32
@@ -49,7 +49,9 @@ void CHAINRULE_NAME(regional_3r_quartic_batch)(ptrdiff_t count, char *const *arg
                 chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 5, taken, 1);
+            if (!chainrule_past(streaming, 5, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 5, taken, 1);
+            }
             regional_3r_quartic_tile(parameters, target, quartic);
             chainrule_scatter(quartic, 32, taken, args[2] + start * steps[2], steps[2], 1, 5, 5 * steps[5], steps[5], streaming);
         }
@@ -77,7 +79,9 @@ void CHAINRULE_NAME(regional_3r_cusp_polynomial_batch)(ptrdiff_t count, char *co
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 13, taken, 1);
+            if (!chainrule_past(streaming, 13, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 13, taken, 1);
+            }
             regional_3r_cusp_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 13, 13 * steps[3], steps[3], streaming);
         }
@@ -105,7 +109,9 @@ void CHAINRULE_NAME(regional_3r_cusp_polynomial_right_angle_batch)(ptrdiff_t cou
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            if (!chainrule_past(streaming, 7, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 7, taken, 1);
+            }
             regional_3r_cusp_polynomial_right_angle_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 7, 7 * steps[3], steps[3], streaming);
         }
@@ -133,7 +139,9 @@ void CHAINRULE_NAME(regional_3r_aspect_polynomial_batch)(ptrdiff_t count, char *
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 9, taken, 1);
+            if (!chainrule_past(streaming, 9, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 9, taken, 1);
+            }
             regional_3r_aspect_polynomial_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 9, 9 * steps[3], steps[3], streaming);
         }
@@ -166,7 +174,9 @@ void CHAINRULE_NAME(regional_3r_determinant_terms_batch)(ptrdiff_t count, char *
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             regional_3r_determinant_terms_tile(parameters, elbow, terms);
             chainrule_scatter(terms, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -204,7 +214,9 @@ void CHAINRULE_NAME(regional_3r_determinant_batch)(ptrdiff_t count, char *const 
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            }
             regional_3r_determinant_tile(parameters, shoulder, elbow, determinant);
             chainrule_scatter(determinant, 32, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -232,7 +244,9 @@ void CHAINRULE_NAME(regional_3r_second_axis_batch)(ptrdiff_t count, char *const 
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            }
             regional_3r_second_axis_tile(parameters, polynomial);
             chainrule_scatter(polynomial, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[3], steps[3], streaming);
         }
@@ -262,8 +276,12 @@ void CHAINRULE_NAME(regional_3r_quartic_invariants_batch)(ptrdiff_t count, char 
         } else {
             chainrule_gather(coefficients, 32, taken, args[0] + start * steps[0], steps[0], 1, 5, 5 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 5, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             regional_3r_quartic_invariants_tile(coefficients, invariants, discriminating);
             chainrule_scatter(invariants, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4], streaming);
             chainrule_scatter(discriminating, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
@@ -297,7 +315,9 @@ void CHAINRULE_NAME(regional_3r_triple_point_batch)(ptrdiff_t count, char *const
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             regional_3r_triple_point_tile(parameters, elbow, cusp);
             chainrule_scatter(cusp, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -330,7 +350,9 @@ void CHAINRULE_NAME(regional_3r_triple_point_right_angle_batch)(ptrdiff_t count,
                 chainrule_gather(elbow, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[4], steps[4]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
             regional_3r_triple_point_right_angle_tile(parameters, elbow, cusp);
             chainrule_scatter(cusp, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[5], steps[5], streaming);
         }
@@ -368,7 +390,9 @@ void CHAINRULE_NAME(regional_3r_image_batch)(ptrdiff_t count, char *const *args,
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            }
             regional_3r_image_tile(parameters, shoulder, elbow, target);
             chainrule_scatter(target, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
         }
@@ -396,7 +420,9 @@ void CHAINRULE_NAME(regional_3r_conic_terms_batch)(ptrdiff_t count, char *const 
         } else {
             chainrule_gather(parameters, 32, taken, args[0] + start * steps[0], steps[0], 1, 9, 9 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 30, taken, 1);
+            if (!chainrule_past(streaming, 30, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 30, taken, 1);
+            }
             regional_3r_conic_terms_tile(parameters, conic);
             chainrule_scatter(conic, 32, taken, args[1] + start * steps[1], steps[1], 6, 5, steps[3], steps[4], streaming);
         }
@@ -434,7 +460,9 @@ void CHAINRULE_NAME(regional_3r_shoulder_batch)(ptrdiff_t count, char *const *ar
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
             regional_3r_shoulder_tile(parameters, target, elbow, ratio);
             chainrule_scatter(ratio, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -472,7 +500,9 @@ void CHAINRULE_NAME(regional_3r_unturned_batch)(ptrdiff_t count, char *const *ar
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
             regional_3r_unturned_tile(parameters, shoulder, elbow, point);
             chainrule_scatter(point, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[7], steps[7], streaming);
         }
@@ -507,8 +537,12 @@ void CHAINRULE_NAME(regional_3r_number_of_postures_batch)(ptrdiff_t count, char 
                 chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 1, taken, 1);
+            }
             regional_3r_number_of_postures_tile(parameters, target, number, margin);
             chainrule_scatter(number, 32, taken, args[2] + start * steps[2], steps[2], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(margin, 32, taken, args[3] + start * steps[3], steps[3], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
@@ -552,12 +586,24 @@ void CHAINRULE_NAME(regional_3r_postures_batch)(ptrdiff_t count, char *const *ar
                 chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[9], steps[9]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
-            chainrule_fetch(args[5] + start * steps[5], steps[5], 4, taken, 1);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
+            if (!chainrule_past(streaming, 12, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
+            }
+            if (!chainrule_past(streaming, 2, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[5])) {
+                chainrule_fetch(args[5] + start * steps[5], steps[5], 4, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 1, taken, 1);
+            }
             regional_3r_postures_tile(parameters, point, angles, room, closure, slope, number, margin);
             chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[10], steps[11], streaming);
             chainrule_scatter(room, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[12], steps[12], streaming);
@@ -599,9 +645,15 @@ void CHAINRULE_NAME(regional_3r_postures_intersecting_batch)(ptrdiff_t count, ch
                 chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 4, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
+            if (!chainrule_past(streaming, 12, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 4, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
+            }
             regional_3r_postures_intersecting_tile(parameters, point, angles, closure, width);
             chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[7], steps[8], streaming);
             chainrule_scatter(closure, 32, taken, args[3] + start * steps[3], steps[3], 1, 4, 4 * steps[9], steps[9], streaming);
@@ -640,9 +692,15 @@ void CHAINRULE_NAME(regional_3r_postures_parallel_batch)(ptrdiff_t count, char *
                 chainrule_gather(point, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[6], steps[6]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 4, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
+            if (!chainrule_past(streaming, 12, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 12, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 4, taken, 1);
+            }
+            if (!chainrule_past(streaming, 4, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 4, taken, 1);
+            }
             regional_3r_postures_parallel_tile(parameters, point, angles, closure, width);
             chainrule_scatter(angles, 32, taken, args[2] + start * steps[2], steps[2], 4, 3, steps[7], steps[8], streaming);
             chainrule_scatter(closure, 32, taken, args[3] + start * steps[3], steps[3], 1, 4, 4 * steps[9], steps[9], streaming);
@@ -681,9 +739,15 @@ void CHAINRULE_NAME(regional_3r_sweep_conditions_batch)(ptrdiff_t count, char *c
                 chainrule_gather(target, 32, taken, args[1] + start * steps[1], steps[1], 1, 2, 2 * steps[6], steps[6]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 5, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 3, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 5, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 5, taken, 1);
+            }
             regional_3r_sweep_conditions_tile(parameters, target, U, V, W);
             chainrule_scatter(U, 32, taken, args[2] + start * steps[2], steps[2], 1, 3, 3 * steps[7], steps[7], streaming);
             chainrule_scatter(V, 32, taken, args[3] + start * steps[3], steps[3], 1, 3, 3 * steps[8], steps[8], streaming);
@@ -725,8 +789,12 @@ void CHAINRULE_NAME(regional_3r_sweep_elbow_batch)(ptrdiff_t count, char *const 
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 2, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 2, taken, 1);
+            }
             regional_3r_sweep_elbow_tile(parameters, elbow, target, mismatch, point);
             chainrule_scatter(mismatch, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[8], steps[8], streaming);
             chainrule_scatter(point, 32, taken, args[4] + start * steps[4], steps[4], 1, 2, 2 * steps[9], steps[9], streaming);
@@ -765,7 +833,9 @@ void CHAINRULE_NAME(regional_3r_sweep_base_batch)(ptrdiff_t count, char *const *
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 2, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 2, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            }
             regional_3r_sweep_base_tile(parameters, elbow, turned, xy);
             chainrule_scatter(xy, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[7], steps[7], streaming);
         }
@@ -805,8 +875,12 @@ void CHAINRULE_NAME(regional_3r_spherical_orientations_batch)(ptrdiff_t count, c
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 9, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 9, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 9, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            }
             regional_3r_spherical_orientations_tile(second, third, wanted, angles, share);
             chainrule_scatter(angles, 32, taken, args[3] + start * steps[3], steps[3], 2, 3, steps[11], steps[12], streaming);
             chainrule_scatter(share, 32, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[13], steps[13], streaming);
@@ -847,8 +921,12 @@ void CHAINRULE_NAME(regional_3r_spherical_elbow_batch)(ptrdiff_t count, char *co
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 3, taken, 0);
             chainrule_fetch(args[1] + (start + taken) * steps[1], steps[1], 3, taken, 0);
             chainrule_fetch(args[2] + (start + taken) * steps[2], steps[2], 1, taken, 0);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            if (!chainrule_past(streaming, 2, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 2, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 1, taken, 1);
+            }
             regional_3r_spherical_elbow_tile(before, behind, square, angles, share);
             chainrule_scatter(angles, 32, taken, args[3] + start * steps[3], steps[3], 1, 2, 2 * steps[8], steps[8], streaming);
             chainrule_scatter(share, 32, taken, args[4] + start * steps[4], steps[4], 1, 1, 1 * steps[9], steps[9], streaming);

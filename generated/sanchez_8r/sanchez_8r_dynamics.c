@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs d5f6c6f7c512db09cb79b2acbd852d43e3d4567640cf165682998a473f4b27b3.
+ * Made from templates/kernel.c.j2; inputs 0b027411a48639282fb17e1629fae724ffc8dcfbe902763144e772f862eb6f8b.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "d5f6c6f7c512db09cb79b2acbd852d43e3d4567640cf165682998a473f4b27b3";
+const char sanchez_8r_dynamics_digest[] = "0b027411a48639282fb17e1629fae724ffc8dcfbe902763144e772f862eb6f8b";
 #endif
 
 #define LANES 32
@@ -69,7 +69,9 @@ void CHAINRULE_NAME(sanchez_8r_inverse_dynamics_batch)(ptrdiff_t count, char *co
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 80, taken, 0);
             chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 3, taken, 0);
             chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 6, taken, 0);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 8, taken, 1);
+            if (!chainrule_past(streaming, 8, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 8, taken, 1);
+            }
             sanchez_8r_inverse_dynamics_tile(q, rates, accelerations, inertias, gravity, wrench, torque);
             chainrule_scatter(torque, 32, taken, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[14], steps[14], streaming);
         }

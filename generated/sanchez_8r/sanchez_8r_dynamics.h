@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.h: dynamics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs d5f6c6f7c512db09cb79b2acbd852d43e3d4567640cf165682998a473f4b27b3.
+ * Made from templates/kernel.h.j2; inputs 0b027411a48639282fb17e1629fae724ffc8dcfbe902763144e772f862eb6f8b.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs b47fbec341ba9899cb9e9144ec28d3972ec3564420d9cadb53abcfd54f4c3ad3.
+ * Made from templates/kernel.c.j2; inputs e9109ccce2d182b76c6583d7c847acff40b123e5715d86e4e87a5250bb6178b3.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "b47fbec341ba9899cb9e9144ec28d3972ec3564420d9cadb53abcfd54f4c3ad3";
+const char sanchez_8r_kinematics_digest[] = "e9109ccce2d182b76c6583d7c847acff40b123e5715d86e4e87a5250bb6178b3";
 #endif
 
 #define LANES 32
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(sanchez_8r_position_batch)(ptrdiff_t count, char *const *arg
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
             sanchez_8r_position_tile(q, position);
             chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -72,7 +74,9 @@ void CHAINRULE_NAME(sanchez_8r_pose_batch)(ptrdiff_t count, char *const *args, c
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
             sanchez_8r_pose_tile(q, pose);
             chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -100,7 +104,9 @@ void CHAINRULE_NAME(sanchez_8r_jacobian_position_batch)(ptrdiff_t count, char *c
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 24, taken, 1);
+            if (!chainrule_past(streaming, 24, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 24, taken, 1);
+            }
             sanchez_8r_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 3, 8, steps[3], steps[4], streaming);
         }
@@ -128,7 +134,9 @@ void CHAINRULE_NAME(sanchez_8r_jacobian_pose_batch)(ptrdiff_t count, char *const
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 48, taken, 1);
+            if (!chainrule_past(streaming, 48, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 48, taken, 1);
+            }
             sanchez_8r_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 32, taken, args[1] + start * steps[1], steps[1], 6, 8, steps[3], steps[4], streaming);
         }
@@ -158,8 +166,12 @@ void CHAINRULE_NAME(sanchez_8r_kinematics_position_batch)(ptrdiff_t count, char 
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 24, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 24, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 24, taken, 1);
+            }
             sanchez_8r_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 32, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 3, 8, steps[5], steps[6], streaming);
@@ -190,8 +202,12 @@ void CHAINRULE_NAME(sanchez_8r_kinematics_pose_batch)(ptrdiff_t count, char *con
         } else {
             chainrule_gather(q, 32, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 48, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
+            if (!chainrule_past(streaming, 48, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 48, taken, 1);
+            }
             sanchez_8r_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 32, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 32, taken, args[2] + start * steps[2], steps[2], 6, 8, steps[6], steps[7], streaming);

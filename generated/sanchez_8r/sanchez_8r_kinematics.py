@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs b47fbec341ba9899cb9e9144ec28d3972ec3564420d9cadb53abcfd54f4c3ad3.
+Made from templates/kernel.py.j2; inputs e9109ccce2d182b76c6583d7c847acff40b123e5715d86e4e87a5250bb6178b3.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

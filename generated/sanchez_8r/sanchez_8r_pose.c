@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs d8a463a58013516da927dc9096bd1f0a0c9909743af78e17af6d55fb3bab1b90.
+ * Made from templates/kernel.c.j2; inputs 9f0c9a53ac47cc2e0be726550f9ac8c860892b94fbcf86e0521136bbee5f5bdd.
  * 2947 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "d8a463a58013516da927dc9096bd1f0a0c9909743af78e17af6d55fb3bab1b90";
+const char sanchez_8r_pose_digest[] = "9f0c9a53ac47cc2e0be726550f9ac8c860892b94fbcf86e0521136bbee5f5bdd";
 #endif
 
 #define LANES 16
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_pose_batch)(ptrdiff_t count, char 
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
             sanchez_8r_manipulability_pose_tile(q, manipulability);
             chainrule_scatter(manipulability, 16, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -78,10 +80,18 @@ void CHAINRULE_NAME(sanchez_8r_manipulability_gradient_pose_batch)(ptrdiff_t cou
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 8, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 8, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 8, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 8, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 8, taken, 1);
+            }
+            if (!chainrule_past(streaming, 8, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 8, taken, 1);
+            }
+            if (!chainrule_past(streaming, 8, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 8, taken, 1);
+            }
             sanchez_8r_manipulability_gradient_pose_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 16, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 16, taken, args[2] + start * steps[2], steps[2], 1, 8, 8 * steps[6], steps[6], streaming);
@@ -112,7 +122,9 @@ void CHAINRULE_NAME(sanchez_8r_minors_pose_batch)(ptrdiff_t count, char *const *
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 28, taken, 1);
+            if (!chainrule_past(streaming, 28, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 28, taken, 1);
+            }
             sanchez_8r_minors_pose_tile(q, minors);
             chainrule_scatter(minors, 16, taken, args[1] + start * steps[1], steps[1], 1, 28, 28 * steps[3], steps[3], streaming);
         }
@@ -140,7 +152,9 @@ void CHAINRULE_NAME(sanchez_8r_null_projector_pose_batch)(ptrdiff_t count, char 
         } else {
             chainrule_gather(q, 16, taken, args[0] + start * steps[0], steps[0], 1, 8, 8 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 8, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 64, taken, 1);
+            if (!chainrule_past(streaming, 64, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 64, taken, 1);
+            }
             sanchez_8r_null_projector_pose_tile(q, null_projector);
             chainrule_scatter(null_projector, 16, taken, args[1] + start * steps[1], steps[1], 8, 8, steps[3], steps[4], streaming);
         }

@@ -1,6 +1,6 @@
 """manipulability (position) of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs d8a463a58013516da927dc9096bd1f0a0c9909743af78e17af6d55fb3bab1b90.
+Made from templates/kernel.py.j2; inputs 9f0c9a53ac47cc2e0be726550f9ac8c860892b94fbcf86e0521136bbee5f5bdd.
 1893 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

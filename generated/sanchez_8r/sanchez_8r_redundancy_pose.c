@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 53af6a894553ea4804210687785b98b9e393b185e1a28d235b55aa3ec40ae1f6.
+ * Made from templates/kernel.c.j2; inputs 26d5d75230d9d71f7369a74a284f957777f71c14a87ca9c89b82cac8e6632878.
  * 2941 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "53af6a894553ea4804210687785b98b9e393b185e1a28d235b55aa3ec40ae1f6";
+const char sanchez_8r_redundancy_pose_digest[] = "26d5d75230d9d71f7369a74a284f957777f71c14a87ca9c89b82cac8e6632878";
 #endif
 
 #define LANES 8
@@ -77,11 +77,21 @@ void CHAINRULE_NAME(sanchez_8r_step_pose_batch)(ptrdiff_t count, char *const *ar
             chainrule_fetch(args[3] + (start + taken) * steps[3], steps[3], 8, taken, 0);
             chainrule_fetch(args[4] + (start + taken) * steps[4], steps[4], 32, taken, 0);
             chainrule_fetch(args[5] + (start + taken) * steps[5], steps[5], 12, taken, 0);
-            chainrule_fetch(args[6] + start * steps[6], steps[6], 8, taken, 1);
-            chainrule_fetch(args[7] + start * steps[7], steps[7], 8, taken, 1);
-            chainrule_fetch(args[8] + start * steps[8], steps[8], 1, taken, 1);
-            chainrule_fetch(args[9] + start * steps[9], steps[9], 6, taken, 1);
-            chainrule_fetch(args[10] + start * steps[10], steps[10], 8, taken, 1);
+            if (!chainrule_past(streaming, 8, steps[6])) {
+                chainrule_fetch(args[6] + start * steps[6], steps[6], 8, taken, 1);
+            }
+            if (!chainrule_past(streaming, 8, steps[7])) {
+                chainrule_fetch(args[7] + start * steps[7], steps[7], 8, taken, 1);
+            }
+            if (!chainrule_past(streaming, 1, steps[8])) {
+                chainrule_fetch(args[8] + start * steps[8], steps[8], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[9])) {
+                chainrule_fetch(args[9] + start * steps[9], steps[9], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 8, steps[10])) {
+                chainrule_fetch(args[10] + start * steps[10], steps[10], 8, taken, 1);
+            }
             sanchez_8r_step_pose_tile(q, held, velocity, push, joints, settings, q_next, rates, manipulability, error, null_motion);
             chainrule_scatter(q_next, 8, taken, args[6] + start * steps[6], steps[6], 1, 8, 8 * steps[19], steps[19], streaming);
             chainrule_scatter(rates, 8, taken, args[7] + start * steps[7], steps[7], 1, 8, 8 * steps[20], steps[20], streaming);

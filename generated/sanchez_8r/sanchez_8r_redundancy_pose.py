@@ -1,6 +1,6 @@
 """redundancy pose of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 53af6a894553ea4804210687785b98b9e393b185e1a28d235b55aa3ec40ae1f6.
+Made from templates/kernel.py.j2; inputs 26d5d75230d9d71f7369a74a284f957777f71c14a87ca9c89b82cac8e6632878.
 2941 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 9ea03f88045a66cb0b0b0d63c45d463b5f0c11db3f80fef92fd26f8246752ad0.
+ * Made from templates/kernel.c.j2; inputs 6745fc7f83bd47ba5a2e35bfc0c97f7c216960183b56a5c198f5cbc73e9d6473.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "9ea03f88045a66cb0b0b0d63c45d463b5f0c11db3f80fef92fd26f8246752ad0";
+const char ur5e_kinematics_digest[] = "6745fc7f83bd47ba5a2e35bfc0c97f7c216960183b56a5c198f5cbc73e9d6473";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(ur5e_position_batch)(ptrdiff_t count, char *const *args, con
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
             ur5e_position_tile(q, position);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[3], steps[3], streaming);
         }
@@ -72,7 +74,9 @@ void CHAINRULE_NAME(ur5e_pose_batch)(ptrdiff_t count, char *const *args, const p
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
             ur5e_pose_tile(q, pose);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[3], steps[4], streaming);
         }
@@ -100,7 +104,9 @@ void CHAINRULE_NAME(ur5e_jacobian_position_batch)(ptrdiff_t count, char *const *
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 18, taken, 1);
+            if (!chainrule_past(streaming, 18, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 18, taken, 1);
+            }
             ur5e_jacobian_position_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 3, 6, steps[3], steps[4], streaming);
         }
@@ -128,7 +134,9 @@ void CHAINRULE_NAME(ur5e_jacobian_pose_batch)(ptrdiff_t count, char *const *args
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            if (!chainrule_past(streaming, 36, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            }
             ur5e_jacobian_pose_tile(q, jacobian);
             chainrule_scatter(jacobian, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }
@@ -158,8 +166,12 @@ void CHAINRULE_NAME(ur5e_kinematics_position_batch)(ptrdiff_t count, char *const
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
+            if (!chainrule_past(streaming, 3, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 3, taken, 1);
+            }
+            if (!chainrule_past(streaming, 18, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 18, taken, 1);
+            }
             ur5e_kinematics_position_tile(q, position, jacobian);
             chainrule_scatter(position, 64, taken, args[1] + start * steps[1], steps[1], 1, 3, 3 * steps[4], steps[4], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 3, 6, steps[5], steps[6], streaming);
@@ -190,8 +202,12 @@ void CHAINRULE_NAME(ur5e_kinematics_pose_batch)(ptrdiff_t count, char *const *ar
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[3], steps[3]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 36, taken, 1);
+            if (!chainrule_past(streaming, 16, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 16, taken, 1);
+            }
+            if (!chainrule_past(streaming, 36, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 36, taken, 1);
+            }
             ur5e_kinematics_pose_tile(q, pose, jacobian);
             chainrule_scatter(pose, 64, taken, args[1] + start * steps[1], steps[1], 4, 4, steps[4], steps[5], streaming);
             chainrule_scatter(jacobian, 64, taken, args[2] + start * steps[2], steps[2], 6, 6, steps[6], steps[7], streaming);

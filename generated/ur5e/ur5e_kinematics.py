@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9ea03f88045a66cb0b0b0d63c45d463b5f0c11db3f80fef92fd26f8246752ad0.
+Made from templates/kernel.py.j2; inputs 6745fc7f83bd47ba5a2e35bfc0c97f7c216960183b56a5c198f5cbc73e9d6473.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 4606c872a30c72877a664f5472f1e4bc03b852c5962109dbab26d80bfb25d739.
+ * Made from templates/kernel.c.j2; inputs 7188cd6e3c161394c0f9ba819cf79c3e5aca78fee49e6000b008de85c72b2555.
  * 836 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "4606c872a30c72877a664f5472f1e4bc03b852c5962109dbab26d80bfb25d739";
+const char ur5e_position_digest[] = "7188cd6e3c161394c0f9ba819cf79c3e5aca78fee49e6000b008de85c72b2555";
 #endif
 
 #define LANES 64
@@ -44,7 +44,9 @@ void CHAINRULE_NAME(ur5e_manipulability_position_batch)(ptrdiff_t count, char *c
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
             ur5e_manipulability_position_tile(q, manipulability);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
         }
@@ -78,10 +80,18 @@ void CHAINRULE_NAME(ur5e_manipulability_gradient_position_batch)(ptrdiff_t count
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[5], steps[5]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
-            chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
-            chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
-            chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
+            if (!chainrule_past(streaming, 1, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 1, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[2])) {
+                chainrule_fetch(args[2] + start * steps[2], steps[2], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[3])) {
+                chainrule_fetch(args[3] + start * steps[3], steps[3], 6, taken, 1);
+            }
+            if (!chainrule_past(streaming, 6, steps[4])) {
+                chainrule_fetch(args[4] + start * steps[4], steps[4], 6, taken, 1);
+            }
             ur5e_manipulability_gradient_position_tile(q, manipulability, gradient, inverse_gradient, inverse_root_gradient);
             chainrule_scatter(manipulability, 64, taken, args[1] + start * steps[1], steps[1], 1, 1, 1 * (ptrdiff_t)sizeof(real), (ptrdiff_t)sizeof(real), streaming);
             chainrule_scatter(gradient, 64, taken, args[2] + start * steps[2], steps[2], 1, 6, 6 * steps[6], steps[6], streaming);
@@ -112,7 +122,9 @@ void CHAINRULE_NAME(ur5e_minors_position_batch)(ptrdiff_t count, char *const *ar
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 20, taken, 1);
+            if (!chainrule_past(streaming, 20, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 20, taken, 1);
+            }
             ur5e_minors_position_tile(q, minors);
             chainrule_scatter(minors, 64, taken, args[1] + start * steps[1], steps[1], 1, 20, 20 * steps[3], steps[3], streaming);
         }
@@ -140,7 +152,9 @@ void CHAINRULE_NAME(ur5e_null_projector_position_batch)(ptrdiff_t count, char *c
         } else {
             chainrule_gather(q, 64, taken, args[0] + start * steps[0], steps[0], 1, 6, 6 * steps[2], steps[2]);
             chainrule_fetch(args[0] + (start + taken) * steps[0], steps[0], 6, taken, 0);
-            chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            if (!chainrule_past(streaming, 36, steps[1])) {
+                chainrule_fetch(args[1] + start * steps[1], steps[1], 36, taken, 1);
+            }
             ur5e_null_projector_position_tile(q, null_projector);
             chainrule_scatter(null_projector, 64, taken, args[1] + start * steps[1], steps[1], 6, 6, steps[3], steps[4], streaming);
         }

@@ -1,6 +1,6 @@
 """manipulability (position) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4606c872a30c72877a664f5472f1e4bc03b852c5962109dbab26d80bfb25d739.
+Made from templates/kernel.py.j2; inputs 7188cd6e3c161394c0f9ba819cf79c3e5aca78fee49e6000b008de85c72b2555.
 836 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
