@@ -15,6 +15,7 @@ from chainrule.papers import sanchez_paths as sanchez
 from chainrule.plot import redundancy as drawn
 from chainrule.redundancy import words
 from chainrule.redundancy.samples import circle_through, good_posture, line_from
+from chainrule.redundancy.step import Damping
 
 STARTS = ("--start", ",".join(map(repr, sanchez.STARTS["A"])))
 ARC = ("sanchez_8r", "--path", "sanchez-arc", "--feedback", "0", "--dt", "0.0067")
@@ -125,6 +126,37 @@ def test_methods_are_compared(call, tmp_path):
     assert [run["law"]["gains"] for run in told] == [{}, {"H^(-1/2)": -2.0}]
     assert told[0]["q"][0] == told[1]["q"][0]  # one start for all
     assert all(run["step_cost"] > 0.0 for run in told)
+
+
+def test_damping_weights_and_a_secondary_task(call):
+    """The same runs as from Python, and in one table beside what is plain."""
+    line, start = ("planar_3r", "--line", "0.4,0.1", "--start", "0.2,1.2,0.6"), [0.2, 1.2, 0.6]
+    arm = cr.load("planar_3r")
+    path = line_from(arm, start, [0.4, 0.1])
+
+    def found(*options):
+        code, out, _ = call(*line, *options, "--json")
+        assert code == 0
+        return json.loads(out)["run"]
+
+    damped = cr.track(arm, path, start, damping=Damping("chiaverini", 0.2, 0.9))
+    assert found("--damping", "chiaverini,0.2,0.9")["q"] == damped.q.tolist()
+    still = found("--weights", "1,inf,2", "--method", "pseudoinverse")
+    assert np.ptp(np.array(still["q"])[:, 1]) == 0.0
+    assert still["q"] == cr.track(arm, path, start, method="pseudoinverse", weights=[1.0, np.inf, 2.0]).q.tolist()
+    led = found("--method", "priority", "--secondary", "q3=0.9", "--gain", "0")
+    q3 = np.array(led["q"])[:, 2]
+    np.testing.assert_allclose(q3, 0.9 - 0.3 * (1.0 - 5.0 * 2.0 / 300.0) ** np.arange(301), atol=1e-12)  # Euler
+    assert max(np.linalg.norm(led["position_error"], axis=1)) < 1e-3
+    turned = ",".join(repr(float(value)) for value in np.degrees(start))
+    for turn in ("q3=51.56620156177409", "joint3=51.56620156177409"):
+        degrees = found("--method", "priority", "--secondary", turn, "--gain", "0", "--deg", "--start", turned)
+        np.testing.assert_allclose(degrees["q"], led["q"], atol=1e-12)
+    code, out, _ = call(*line, "--damping", "nakamura,0.1,0.5", "--secondary", "q3=0.9", "--compare", "all")
+    assert code == 0
+    rows = [text for text in out.splitlines() if "complete" in text]
+    for name in ("pseudoinverse ", "pseudoinverse, damped", "gradient projection", "task priority", "global optimum"):
+        assert sum(text.strip().startswith(name) for text in rows) == 1, name
 
 
 def test_limits_are_kept_and_the_least_time_is_found(call):
@@ -239,8 +271,7 @@ def test_paths_from_files(call, tmp_path):
         (("sanchez_8r", "--path", "sanchez-arc", "--start", "1,2,3"), "--start: 3 numbers given"),
         (("sanchez_8r", "--path", "sanchez-arc", "--start", "E", "--feedback", "0"), "misses the start of the path"),
         (("panda", "--path", "sanchez-arc", "--start", "A"), "is a posture of sanchez_8r"),
-        (("sanchez_8r", "--path", "sanchez-arc", "--start", "best"), "that of the posture that --start gives"),
-        (("panda", "--path", "sanchez-arc"), "that of the posture that --start gives"),
+        (("sanchez_8r", "--path", "sanchez-arc", "--start", "best"), "'best' needs a path that says the orientation"),
         (("planar_3r", "--path", "sanchez-arc"), "coordinates"),
         (("planar_3r", "--circle", "-0.1"), "radius"),
         (("planar_3r", "--circle", "nan"), "radius"),
@@ -255,6 +286,23 @@ def test_paths_from_files(call, tmp_path):
             "--gain: 'pseudoinverse' has none",
         ),
         (("planar_3r", "--circle", "0.1", "--method", "pseudoinverse", "--limits"), "limited and global do"),
+        (("planar_3r", "--circle", "0.1", "--method", "damped"), "--damping is needed"),
+        (("planar_3r", "--circle", "0.1", "--damping", "magic,1"), "--damping: 'magic'; constant, nakamura"),
+        (("planar_3r", "--circle", "0.1", "--damping", "nakamura,1"), "--damping: 1 number given; 2 are accepted"),
+        (("planar_3r", "--circle", "0.1", "--damping", "constant,-1"), "damping factor: -1"),
+        (
+            ("planar_3r", "--circle", "0.1", "--damping", "constant,1", "--compare", "pseudoinverse,global"),
+            "which is not among the methods",
+        ),
+        (("planar_3r", "--circle", "0.1", "--damping", "constant,1", "--method", "global"), "are for local laws"),
+        (("planar_3r", "--circle", "0.1", "--weights", "1,2"), "weights: 2 given; 3"),
+        (("planar_3r", "--circle", "0.1", "--weights", "1,2,x"), "--weights, entry 1: 'x'"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority"), "--secondary and the method 'priority'"),
+        (("planar_3r", "--circle", "0.1", "--secondary", "q1=0"), "--secondary and the method 'priority'"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q9=0"), "joint 'q9': planar_3r has"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q1"), "--secondary: 'q1'"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q1=a"), "--secondary, q1, entry 1"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q1=0,q2=0"), "k from 1 to 1"),
         (("planar_3r", "--circle", "0.1", "--limits", "--integrator", "rk4"), "with limits 'euler' is accepted"),
         (("planar_3r", "--circle", "0.1", "--compare", "luck"), "--compare: 'luck'"),
         (("planar_3r", "--circle", "0.1", "--compare", "all", "--csv", "a.csv"), "not for --compare"),

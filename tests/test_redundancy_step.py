@@ -615,6 +615,7 @@ def test_plain_data():
     }
     law = Law({"H": 1}, weights=[1, 2])
     assert Law(**{**law.to_dict(), "damping": Damping(**law.to_dict()["damping"])}) == law
+    assert Law(weights=[1, np.inf]).to_dict()["weights"] == [1.0, None]  # JSON has no infinity
 
 
 def test_groups_are_those_of_the_catalogue():

@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 from chainrule.arm import Arm, Limits
 from chainrule.errors import InputError
 from chainrule.redundancy.asked import Extras
-from chainrule.redundancy.measure import measured
+from chainrule.redundancy.measure import END, measured, stretches
 from chainrule.redundancy.result import Event, Run, Status
 from chainrule.redundancy.stability import gain_event
 from chainrule.redundancy.step import Law, Stepper
@@ -358,7 +358,7 @@ def _run(
             return _ended(log, when, q, "stopped", _why(arm, t, q, step.manipulability, room))
         if share > 0.0 and share >= left * (1.0 - 1e-12):
             ending = q + left / share * dt * rates
-            return _ended(log, end, ending, "complete", "the end of the path was reached")
+            return _ended(log, end, ending, "complete", END)
         when, q = when + share * dt, q + dt * rates
 
 
@@ -423,7 +423,7 @@ def _scaled_events(t: Array, share: Array) -> list[Event]:
             "task scaled",
             f"the path is run at {100.0 * share[first : last + 1].min():.3g} % of its speed until {t[last + 1]:.4g} s",
         )
-        for first, last in _stretches(share[:-1] < 1.0 - 1e-9)
+        for first, last in _joined(share[:-1] < 1.0 - 1e-9)
     ]
 
 
@@ -432,7 +432,7 @@ def _limit_events(arm: Arm, t: Array, touched: list[tuple[tuple[int, str], ...]]
     found = []
     for joint, kind in sorted({pair for pairs in touched for pair in pairs}):
         mask = np.array([(joint, kind) in pairs for pairs in touched])
-        for first, last in _stretches(mask):
+        for first, last in _joined(mask):
             found.append(
                 Event(
                     float(t[first]),
@@ -443,13 +443,12 @@ def _limit_events(arm: Arm, t: Array, touched: list[tuple[tuple[int, str], ...]]
     return found
 
 
-def _stretches(mask: Array) -> list[tuple[int, int]]:
+def _joined(mask: Array) -> list[tuple[int, int]]:
     """First and last index of every run of true entries, those less than :data:`APART` apart as one."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
     found: list[tuple[int, int]] = []
-    for first, beyond in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True):
+    for first, last in stretches(mask):
         if found and first - found[-1][1] <= APART:
-            found[-1] = (found[-1][0], beyond - 1)
+            found[-1] = (found[-1][0], last)
         else:
-            found.append((first, beyond - 1))
+            found.append((first, last))
     return found

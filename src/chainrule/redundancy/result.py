@@ -24,6 +24,8 @@ EVENTS = {
     "start off the path": "the tip was farther than a millimetre or a milliradian from the first target",
     "singularity near": "the manipulability fell below the stated share of the largest so far",
     "limit met": "a joint came to a limit of position, velocity or acceleration",
+    "limit passed": "a joint is outside a limit of position or velocity, which the method does not keep",
+    "path left": "the tip is off its target by more than a hundredth of the path's extent (1 mm at least) or 0.05 rad",
     "task scaled": "the path is run more slowly than asked, because the limits leave no other way",
     "gain too large": "the null-space gain exceeds the estimated bound of stability for the step",
     "rates too large": "a joint rate exceeded the stated bound",

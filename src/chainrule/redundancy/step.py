@@ -129,12 +129,12 @@ class Law:
         object.__setattr__(self, "weights", weights)
 
     def to_dict(self) -> dict[str, Any]:
-        """The law as plain data."""
+        """The law as plain data; an infinite weight is None."""
         return {
             "gains": dict(self.gains),
             "feedback": list(self.feedback),
             "damping": self.damping.to_dict(),
-            "weights": None if self.weights is None else list(self.weights),
+            "weights": None if self.weights is None else [w if w < np.inf else None for w in self.weights],
         }
 
     def _settings(self) -> tuple[float, ...]:
@@ -216,6 +216,8 @@ class Stepper:
         self.arm, self.task = arm, arm.task_of_full_rank(task)
         self.law = Law() if law is None else law if isinstance(law, Law) else tuple(law)
         laws = (self.law,) if isinstance(self.law, Law) else self.law
+        if not laws:
+            raise InputError("law: none in the sequence; a Law, or a sequence of them, is accepted")
         for one in laws:
             if not isinstance(one, Law):
                 raise InputError(f"law: {shown(one)}; a Law, or a sequence of them, is accepted")
