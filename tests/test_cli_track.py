@@ -13,6 +13,7 @@ import chainrule as cr
 from chainrule import cli
 from chainrule.papers import sanchez_paths as sanchez
 from chainrule.plot import redundancy as drawn
+from chainrule.plot.style import line_look
 from chainrule.redundancy import words
 from chainrule.redundancy.samples import circle_through, good_posture, line_from
 from chainrule.redundancy.step import Damping
@@ -130,9 +131,9 @@ def test_methods_are_compared(call, tmp_path):
 
 def test_damping_weights_and_a_secondary_task(call):
     """The same runs as from Python, and in one table beside what is plain."""
-    line, start = ("planar_3r", "--line", "0.4,0.1", "--start", "0.2,1.2,0.6"), [0.2, 1.2, 0.6]
+    line, start = ("planar_3r", "--line", "-0.1,0.1", "--start", "0.2,1.2,0.6"), [0.2, 1.2, 0.6]
     arm = cr.load("planar_3r")
-    path = line_from(arm, start, [0.4, 0.1])
+    path = line_from(arm, start, [-0.1, 0.1])
 
     def found(*options):
         code, out, _ = call(*line, *options, "--json")
@@ -155,7 +156,7 @@ def test_damping_weights_and_a_secondary_task(call):
     code, out, _ = call(*line, "--damping", "nakamura,0.1,0.5", "--secondary", "q3=0.9", "--compare", "all")
     assert code == 0
     rows = [text for text in out.splitlines() if "complete" in text]
-    for name in ("pseudoinverse ", "pseudoinverse, damped", "gradient projection", "task priority", "global optimum"):
+    for name in ("pseudoinverse ", "pseudoinverse, damped", "task priority", "global optimum"):
         assert sum(text.strip().startswith(name) for text in rows) == 1, name
 
 
@@ -389,6 +390,11 @@ def test_starts_that_gain_are_counted():
     figure = drawn.draw_population([0.01, 0.02, 0.03], [0.02, 0.01, 0.04], ("a", "b"), {"A": (0.01, 0.02)}, "title")
     labels = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert labels == ["gain: 2 starts", "lose: 1"]
+
+
+def test_eight_lines_differ_in_grey():
+    looks = [line_look(k) for k in range(8)]
+    assert len({str(look["ls"]) for look in looks}) == 8 and len({look["color"] for look in looks}) == 7
 
 
 def test_units_of_slides_and_masses():

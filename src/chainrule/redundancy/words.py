@@ -137,8 +137,9 @@ def comparison_finding(runs: Mapping[str, Run]) -> str:
     slow = min(done, key=lambda name: done[name].peak_rate)
     unit = rate_unit(done[slow].arm)
     rates = [done[slow].peak_rate, max(run.peak_rate for run in done.values())]
+    alike = clear[0] if len(clear) == 1 else f"{len(clear)} methods alike"
     return (
-        f"Farthest from singularities: {'; '.join(clear)} (H ≥ {readable(least, 3)}). "
+        f"Farthest from singularities: {alike} (H ≥ {readable(least, 3)}). "
         f"Lowest rates: {slow} ({readable(rates[0], 3)} {unit}; the highest are {readable(rates[1], 3)})"
     )
 
