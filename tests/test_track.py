@@ -16,6 +16,7 @@ from chainrule.errors import InputError
 from chainrule.redundancy.limited import Box, Program, box, braking
 from chainrule.redundancy.measure import errors
 from chainrule.redundancy.result import EVENTS
+from chainrule.redundancy.samples import circle_through
 from chainrule.redundancy.stability import decay
 from chainrule.redundancy.starts import best, bring, postures_at
 from chainrule.redundancy.step import Damping, Law, Stepper
@@ -351,6 +352,17 @@ def test_limits_in_the_plane_and_paths_that_end_at_a_limit() -> None:
     if run.status == "stopped":
         assert "position limit" in run.reason
     assert any("position limit" in event.text for event in run.events)
+
+
+def test_what_had_to_go_back_is_not_much_slower_than_it_need_be() -> None:
+    """Against the least time of the free motion; going back alone takes three times as long."""
+    pytest.importorskip("toppra")
+    q = [0.3, -0.8, 0.0, -2.3, 0.0, 1.6, 0.8]
+    circle = circle_through(PANDA, q, 0.15, 1.0)
+    least = cr.fastest_run(cr.track(PANDA, circle, q, integrator="rk4", dt=0.01), circle).t[-1]
+    run = cr.track(PANDA, circle, q, dt=0.01, limits=True)
+    assert run.status == "complete" and least <= run.t[-1] < 1.6 * least
+    assert (np.abs(run.accelerations) <= PANDA.limits.acceleration * (1.0 + 1e-9)).all()
 
 
 def test_without_need_limits_change_nothing() -> None:
