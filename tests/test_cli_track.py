@@ -195,6 +195,14 @@ def test_a_whole_path_is_optimised(call):
     assert code == 0
     assert out.splitlines()[1].startswith("global optimum, ")
     assert "no proof that none goes farther" in out
+    arm = cr.load("planar_3r")  # at the quarters between the samples
+    q = np.array(json.loads(call(*asked, "--method", "global", "--json")[1])["run"]["q"])
+    path = circle_through(arm, [0.0, 1.2, 0.4], 0.2)
+    shares = np.array([0.25, 0.5, 0.75])[:, None]
+    tips = arm.position(q[:-1, None] + shares * np.diff(q, axis=0)[:, None])
+    wanted = path.sample((0.1 * (np.arange(20)[:, None] + shares.T)).ravel(), "position").held.reshape(tips.shape)
+    worst = 1000.0 * np.linalg.norm(tips - wanted, axis=-1).max()
+    assert f"between the samples the tip is up to {worst:.3g} mm off its target" in out
 
 
 def test_a_circle_and_a_line_from_the_tip(call):
@@ -238,7 +246,11 @@ def test_a_path_that_leaves_the_reach_exits_with_one(call, tmp_path):
     )
     assert code == 1
     assert out.startswith("No method follows the path to its end.")
-    assert call(*ARC, "--tolerance", "1e-3")[0] == 1  # 1.4 mm without feedback
+    code, out, _ = call("planar_3r", "--line", "1,0", "--start", "0,1,-1", "--damping", "constant,0.1", "--gain", "0")
+    assert code == 1
+    assert "leaves the path at" in out.splitlines()[0] and "path left" in out
+    code, _, err = call(*ARC, "--tolerance", "1e-3")  # 1.4 mm without feedback
+    assert code == 1 and "farther than 0.001 m" in err and err.count("\n") == 1
     assert call(*ARC, "--tolerance", "2e-3")[0] == 0
 
 

@@ -419,6 +419,9 @@ def test_runs_that_cannot_go_on_stop_with_a_reason() -> None:
     assert nan.t[-1] == pytest.approx(0.4)
     loud = cr.track(PLANAR, FLAT, flat_start(), dt=0.1, feedback=50.0, gain=0.0)
     assert any("feedback" in event.text for event in loud.events)
+    slow = PLANAR.with_limits(velocity=[1.0] * 3)
+    kept = cr.track(slow, FLAT, flat_start(), task="position", dt=0.1, feedback=50.0, gain=0.0, limits=True)
+    assert any("feedback" in event.text for event in kept.events)
 
 
 def test_a_path_that_is_left_is_said() -> None:
@@ -531,7 +534,7 @@ def test_the_least_time_of_a_run() -> None:
     path, q0 = panda_line(5, 0.2, 1.0)
     run = cr.track(PANDA, path, q0, gain=0.0, integrator="rk4", dt=0.005)
     quick = cr.fastest_run(run, path)
-    assert quick.t[-1] < 2.0 * run.t[-1]
+    assert quick.t[-1] < 2.0 * run.t[-1] and quick.scale.min() >= 0.0
     assert (np.abs(quick.rates) <= PANDA.limits.velocity + 1e-9).all()
     assert (np.abs(quick.accelerations) <= PANDA.limits.acceleration + 1e-9).all()
     pushed = np.maximum(

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
     from chainrule.arm import Arm
     from chainrule.redundancy.asked import Secondary
+    from chainrule.redundancy.globally import Between
     from chainrule.redundancy.result import Run
     from chainrule.redundancy.step import Damping
     from chainrule.redundancy.task_path import TaskPath
@@ -223,6 +224,8 @@ def track(
         for written in files:
             say(written)
     if not any(_good(run, tolerance) for run in runs.values()):
+        if tolerance is not None and any(run.status == "complete" for run in runs.values()):
+            complain(f"the tip is farther than {tolerance:g} m from its target, which --tolerance allows")
         raise typer.Exit(1)
 
 
@@ -410,7 +413,9 @@ def _followed(
         own = {key: options[key] for key in ("task", "dt")}
         begun = perf_counter()
         found = track_globally(arm, path, posture, limits=limits, progress=progress, **own)
-        return found.run, (perf_counter() - begun) / max(len(found.run.t) - 1, 1), found.text
+        cost = (perf_counter() - begun) / max(len(found.run.t) - 1, 1)
+        off = "" if found.between is None else _between(found.between)
+        return found.run, cost, found.text + off
     kind = "pseudoinverse" if name in GAINLESS else "priority" if name == "priority" else "gradient_projection"
     more = {**options, "method": kind}
     if name not in GAINLESS:
@@ -424,6 +429,12 @@ def _followed(
         cost = min(cost, (perf_counter() - begun) / max(len(run.t) - 1, 1))
     assert run is not None
     return run, cost, ""
+
+
+def _between(between: Between) -> str:
+    from chainrule.redundancy.words import rounded
+
+    return f"; between the samples the tip is up to {rounded(1000.0 * between.position, 3):g} mm off its target"
 
 
 def _name(method: str, run: Run) -> str:

@@ -33,7 +33,7 @@ from chainrule.errors import InputError
 from chainrule.redundancy.asked import Extras
 from chainrule.redundancy.measure import END, measured, stretches
 from chainrule.redundancy.result import Event, Run, Status
-from chainrule.redundancy.stability import gain_event
+from chainrule.redundancy.stability import feedback_event, gain_event
 from chainrule.redundancy.step import Law, Stepper
 from chainrule.redundancy.task_path import TaskPath
 
@@ -285,6 +285,7 @@ def follow_limited(
             *_scaled_events(t, share),
             *_limit_events(arm, t, log.touched),
             *gain_event(stepper, "euler", dt, t, q, held),
+            *feedback_event(law, "euler", dt),
         ],
         status=status,
         reason=reason,

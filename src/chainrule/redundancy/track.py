@@ -27,7 +27,7 @@ from chainrule.redundancy.asked import (
 from chainrule.redundancy.batch import followable
 from chainrule.redundancy.measure import END, NEAR, measured
 from chainrule.redundancy.result import Event, Run, Status
-from chainrule.redundancy.stability import STABLE, gain_event
+from chainrule.redundancy.stability import feedback_event, gain_event
 from chainrule.redundancy.step import Damping, Law, Step, Stepper
 from chainrule.redundancy.task_path import TaskPath
 from chainrule.redundancy.time_laws import positive
@@ -154,7 +154,7 @@ def track(
     kept, events, reason = _cut(arm, t, q, step, bound, halted)
     if kept < len(t):
         t, q, held, velocity, step = t[:kept], q[:kept], held[:kept], velocity[:kept], first(step, kept)
-    unstable = gain_event(stepper, integrator, dt, t, q, held) + _feedback_event(law, integrator, dt)
+    unstable = gain_event(stepper, integrator, dt, t, q, held) + feedback_event(law, integrator, dt)
     if reason and unstable:
         reason += f"; {unstable[-1].kind} from {unstable[-1].t:.4g} s on"
     status: Status = "stopped" if reason else "complete"
@@ -367,11 +367,3 @@ def _cut(arm: Arm, t: Array, q: Array, step: Step, bound: float, halted: str) ->
         event = Event(float(t[-1]), "not finite" if "finite" in halted else "rates too large", halted)
         return len(t), [event], f"at {event.t:.4g} s {halted}"
     return len(t), [], ""
-
-
-def _feedback_event(law: Law, integrator: str, dt: float) -> list[Event]:
-    largest, bound = max(law.feedback), STABLE.get(integrator, np.inf)
-    if largest * dt <= bound:
-        return []
-    text = f"feedback of {largest:.4g} 1/s is unstable for steps of {dt:.3g} s; up to {bound / dt:.4g} is stable"
-    return [Event(0.0, "gain too large", text)]
