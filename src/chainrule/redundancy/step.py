@@ -343,7 +343,10 @@ class Stepper:
 
     def _padded(self, secondary: tuple[ArrayLike, ArrayLike], most: int, kind: Any) -> tuple[Array, Array]:
         """The secondary task with rows of zeros, which do nothing, up to what the generated function takes."""
-        matrix, velocity = (np.asarray(a) for a in secondary)
+        pair = [np.asarray(part) for part in secondary] if isinstance(secondary, tuple | list) else []
+        if len(pair) != 2 or not all(part.dtype.kind in "iuf" for part in pair):
+            raise InputError(f"secondary: {shown(secondary)}; a Jacobian and a velocity, real numbers, are accepted")
+        matrix, velocity = pair
         rows = matrix.shape[-2] if matrix.ndim > 1 else 0
         if not 0 < rows <= most or matrix.shape[-1] != self.arm.n or velocity.shape[-1:] != (rows,):
             raise InputError(
