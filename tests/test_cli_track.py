@@ -404,6 +404,18 @@ def test_starts_that_gain_are_counted():
     assert labels == ["gain: 2 starts", "lose: 1"]
 
 
+def test_a_determinant_below_the_scale_is_marked_at_its_edge():
+    arm = cr.planar_3r(1.0, 0.5, 0.25)
+    q = [0.0, 1.0, -1.0]
+    outwards = line_from(arm, q, [1.0, 0.0])
+    run = cr.track(arm, outwards, q, gain=0.0, damping=Damping("constant", 0.1))
+    assert run.determinant.min() < 1e-7 * run.determinant.max()
+    axes = drawn.draw_run(run).axes[1]
+    dot = next(line for line in axes.lines if line.get_marker() == "o")
+    assert dot.get_ydata()[0] == axes.get_ylim()[0] > run.determinant.min()
+    assert "tip off by up to 1970 mm" in words.finding(replace(run, position_error=0.0 * run.position_error + 1.39))
+
+
 def test_eight_lines_differ_in_grey():
     looks = [line_look(k) for k in range(8)]
     assert len({str(look["ls"]) for look in looks}) == 8 and len({look["color"] for look in looks}) == 7

@@ -596,7 +596,7 @@ FLAT, TWO = ([0.0] * 3, [0.0] * 3, None, 0.01), (np.ones((2, 3)), [1.0, 1.0])
         (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, "fast"), "dt"),
         (lambda: Stepper(arm_of("planar_3r"))(*FLAT[:1], [0.0, 0.0], *FLAT[2:], secondary=TWO), "k from 1 to 1"),
         (lambda: Stepper(arm_of("planar_3r"), task="pose")(*FLAT, secondary=TWO), "no joint to spare"),
-        (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, 0.01, secondary=3), "secondary: 3; a Jacobian and"),
+        (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, 0.01, secondary=3), "secondary: 3; a Jacobian"),
         (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, 0.01, secondary=("a", 0)), "real numbers"),
     ],
 )  # fmt: skip

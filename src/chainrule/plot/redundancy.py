@@ -192,8 +192,9 @@ def _determinant(axes: Axes, run: Run) -> None:
     _plain(axes, run)
     axes.plot(run.t, run.determinant, color=COLOURS["link"], lw=1.8)
     nearest = int(run.determinant.argmin())
-    axes.plot(run.t[nearest], run.determinant[nearest], "o", ms=5.5, color=COLOURS["accent"], clip_on=False, zorder=4)
     _scaled(axes, run.determinant)
+    lowest = max(float(run.determinant[nearest]), axes.get_ylim()[0])  # at the edge where it lies below the scale
+    axes.plot(run.t[nearest], lowest, "o", ms=5.5, color=COLOURS["accent"], clip_on=False, zorder=4)
     axes.set_title(f"det J Jᵀ = H², least {readable(float(run.determinant[nearest]), 3)}", loc="left")
     told: set[str] = set()
     for event in run.events:
@@ -210,6 +211,8 @@ def _determinant(axes: Axes, run: Run) -> None:
                 ha="right" if right else "left",
                 fontsize=8.5,
                 color=COLOURS["muted"],
+                bbox={"boxstyle": "round,pad=0.1", "fc": COLOURS["paper"], "ec": "none", "alpha": 0.8},
+                zorder=3,
             )
             told.add(event.kind)
 

@@ -12,6 +12,7 @@ from chainrule.arm import Arm
 from chainrule.description import Planar
 from chainrule.redundancy.result import Event, Run, Status
 from chainrule.redundancy.step import Law, Step, Stepper
+from chainrule.redundancy.words import rounded
 from chainrule.tables import joint_unit
 
 Array = NDArray[Any]
@@ -184,7 +185,7 @@ def beginning(away: Array, turned: Array) -> list[Event]:
 def _how_far(away: Array, turned: Array) -> str:
     """The largest of errors (k, p) in m and (k, r) in rad, in words."""
     length, angle = (float(np.linalg.norm(part, axis=1).max(initial=0.0)) for part in (away, turned))
-    return f"{1000.0 * length:.3g} mm and {round(np.degrees(angle), 6):.3g} degrees"
+    return f"{rounded(1000.0 * length, 3):g} mm and {round(np.degrees(angle), 6):.3g} degrees"
 
 
 def share_off(held: Array, away: Array, turned: Array) -> Array:

@@ -105,7 +105,7 @@ def finding(run: Run) -> str:
     return (
         f"{run.arm.name} {did}: "
         f"H ≥ {readable(run.min_manipulability, 3)} (least at {readable(nearest, 3)} s), {rates}, "
-        f"{tip} {readable(1000.0 * run.worst_position_error, 3)} mm"
+        f"{tip} {readable(rounded(1000.0 * run.worst_position_error, 3))} mm"
     )
 
 
