@@ -486,6 +486,9 @@ def test_a_start_is_found_from_which_the_path_can_be_followed() -> None:
     others = postures_at(PANDA, "pose", path.sample([0.0]).held[0], 6, seed=9)
     least = [cr.track(PANDA, path, q, dt=0.01).min_manipulability for q in others]
     assert run.min_manipulability > 0.9 * max(least)
+    across = cr.TaskPath.line((0.5, -0.1, 0.0), (0.5, 0.1, 0.0), duration=1.0, orientation=[0.0, 1.0, 0.0, 0.0])
+    found, top = (cr.track(THESIS, across, q0, dt=0.02) for q0 in ("followable", "best"))
+    assert not top.events and found.min_manipulability > (1.0 - 1e-3) * top.min_manipulability
     turns = cr.track(PANDA, cr.TaskPath.line((0.5, -0.2, 0.4), (0.5, 0.2, 0.4), duration=1.0), dt=0.01)
     assert turns.status == "complete"  # a posture was found that holds its own orientation
     np.testing.assert_allclose(turns.held[:, :3, :3], np.tile(PANDA.pose(turns.q[0])[:3, :3], (101, 1, 1)), atol=1e-12)

@@ -308,6 +308,8 @@ def followable(stepper: Stepper, path: TaskPath, dt: float, count: int = beginni
     first = "position" if path.turning is None else task  # each posture holds its own orientation
     held, _ = path.sample([0.0], first)
     q = beginnings.postures_at(arm, first, held[0], count, seed)
+    if arm.n - arm.tasks[first] > 1:  # the best that climbing from them finds; with one joint to spare it takes longer
+        q = np.vstack([q, beginnings.best(arm, first, held[0], count, seed)])
     steps = min(round(path.duration / dt), max(COARSE, 1))
     coarse = path.duration / steps
     near, turn = (min(k, 1.0 / coarse) for k in law.feedback)
