@@ -122,6 +122,8 @@ def test_a_run_as_plain_values() -> None:
     run = cr.track(PLANAR, FLAT, flat_start(), task="position", dt=0.1)
     plain = json.loads(json.dumps(run.to_dict(), allow_nan=False))
     assert plain["status"] == "complete" and plain["frame_errors"][0][0] is None and plain["torque"] is None
+    assert plain["masses"] is None
+    assert cr.track(THESIS, ARC, A, dt=0.5).to_dict()["masses"].startswith("assumed link masses 3, 2.5, 2")
     headings, rows = run.rows()
     assert len(headings) == len(set(headings)) and {len(row) for row in rows} == {len(headings)}
     assert len(rows) == 11 and rows[3][headings.index("q2")] == run.q[3, 1]

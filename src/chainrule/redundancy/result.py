@@ -147,7 +147,9 @@ class Run:
         return np.asarray(np.linalg.norm(self.position_error, axis=1))
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values; what is not a finite number is None."""
+        """Plain values; what is not a finite number is None. ``masses`` says what the torques rest on."""
+        from chainrule.redundancy.words import masses
+
         numbers = (
             *("t", "q", "rates", "accelerations", "torque", "held", "manipulability", "determinant"),
             *("position_error", "orientation_error", "frame_errors", "null_motion", "scale"),
@@ -164,6 +166,7 @@ class Run:
             "peak_rate": _finite(self.peak_rate),
             "peak_acceleration": _finite(self.peak_acceleration),
             "peak_torque": _finite(self.peak_torque),
+            "masses": None if self.torque is None else masses(self.arm),
             "min_manipulability": _finite(self.min_manipulability),
             "worst_position_error": _finite(self.worst_position_error),
             "final_position_error": _finite(self.final_position_error),
