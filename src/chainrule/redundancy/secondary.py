@@ -17,7 +17,7 @@ from chainrule.redundancy.time_laws import positive
 Array = NDArray[Any]
 
 #: How fast a joint is led to its value, 1/s.
-RATE = 5.0
+RATE = 2.0
 
 
 def joints_towards(arm: Arm, values: Mapping[str, float], rate: float = RATE) -> Secondary:
