@@ -13,8 +13,10 @@ import chainrule as cr
 from chainrule import cli
 from chainrule.papers import sanchez_paths as sanchez
 from chainrule.plot import redundancy as drawn
+from chainrule.plot.style import line_look
 from chainrule.redundancy import words
 from chainrule.redundancy.samples import circle_through, good_posture, line_from
+from chainrule.redundancy.step import Damping
 
 STARTS = ("--start", ",".join(map(repr, sanchez.STARTS["A"])))
 ARC = ("sanchez_8r", "--path", "sanchez-arc", "--feedback", "0", "--dt", "0.0067")
@@ -127,6 +129,37 @@ def test_methods_are_compared(call, tmp_path):
     assert all(run["step_cost"] > 0.0 for run in told)
 
 
+def test_damping_weights_and_a_secondary_task(call):
+    """The same runs as from Python, and in one table beside what is plain."""
+    line, start = ("planar_3r", "--line", "-0.1,0.1", "--start", "0.2,1.2,0.6"), [0.2, 1.2, 0.6]
+    arm = cr.load("planar_3r")
+    path = line_from(arm, start, [-0.1, 0.1])
+
+    def found(*options):
+        code, out, _ = call(*line, *options, "--json")
+        assert code == 0
+        return json.loads(out)["run"]
+
+    damped = cr.track(arm, path, start, damping=Damping("chiaverini", 0.2, 0.9))
+    assert found("--damping", "chiaverini,0.2,0.9")["q"] == damped.q.tolist()
+    still = found("--weights", "1,inf,2", "--method", "pseudoinverse")
+    assert np.ptp(np.array(still["q"])[:, 1]) == 0.0
+    assert still["q"] == cr.track(arm, path, start, method="pseudoinverse", weights=[1.0, np.inf, 2.0]).q.tolist()
+    led = found("--method", "priority", "--secondary", "q3=0.9", "--gain", "0")
+    q3 = np.array(led["q"])[:, 2]
+    np.testing.assert_allclose(q3, 0.9 - 0.3 * (1.0 - 2.0 * 2.0 / 300.0) ** np.arange(301), atol=1e-12)  # Euler
+    assert max(np.linalg.norm(led["position_error"], axis=1)) < 1e-3
+    turned = ",".join(repr(float(value)) for value in np.degrees(start))
+    for turn in ("q3=51.56620156177409", "joint3=51.56620156177409"):
+        degrees = found("--method", "priority", "--secondary", turn, "--gain", "0", "--deg", "--start", turned)
+        np.testing.assert_allclose(degrees["q"], led["q"], atol=1e-12)
+    code, out, _ = call(*line, "--damping", "nakamura,0.1,0.5", "--secondary", "q3=0.9", "--compare", "all")
+    assert code == 0
+    rows = [text for text in out.splitlines() if "complete" in text]
+    for name in ("pseudoinverse ", "pseudoinverse, damped", "task priority", "global optimum"):
+        assert sum(text.strip().startswith(name) for text in rows) == 1, name
+
+
 def test_limits_are_kept_and_the_least_time_is_found(call):
     asked = ("panda", "--circle", "0.1", "--velocity", "0.8", "--acceleration", "4", "--json")
     code, out, err = call(*asked, "--limits")
@@ -162,6 +195,14 @@ def test_a_whole_path_is_optimised(call):
     assert code == 0
     assert out.splitlines()[1].startswith("global optimum, ")
     assert "no proof that none goes farther" in out
+    arm = cr.load("planar_3r")  # at the quarters between the samples
+    q = np.array(json.loads(call(*asked, "--method", "global", "--json")[1])["run"]["q"])
+    path = circle_through(arm, [0.0, 1.2, 0.4], 0.2)
+    shares = np.array([0.25, 0.5, 0.75])[:, None]
+    tips = arm.position(q[:-1, None] + shares * np.diff(q, axis=0)[:, None])
+    wanted = path.sample((0.1 * (np.arange(20)[:, None] + shares.T)).ravel(), "position").held.reshape(tips.shape)
+    worst = 1000.0 * np.linalg.norm(tips - wanted, axis=-1).max()
+    assert f"between the samples the tip is up to {worst:.3g} mm off its target" in out
 
 
 def test_a_circle_and_a_line_from_the_tip(call):
@@ -205,7 +246,11 @@ def test_a_path_that_leaves_the_reach_exits_with_one(call, tmp_path):
     )
     assert code == 1
     assert out.startswith("No method follows the path to its end.")
-    assert call(*ARC, "--tolerance", "1e-3")[0] == 1  # 1.4 mm without feedback
+    code, out, _ = call("planar_3r", "--line", "1,0", "--start", "0,1,-1", "--damping", "constant,0.1", "--gain", "0")
+    assert code == 1
+    assert "leaves the path at" in out.splitlines()[0] and "path left" in out
+    code, _, err = call(*ARC, "--tolerance", "1e-3")  # 1.4 mm without feedback
+    assert code == 1 and "farther than 0.001 m" in err and err.count("\n") == 1
     assert call(*ARC, "--tolerance", "2e-3")[0] == 0
 
 
@@ -239,8 +284,7 @@ def test_paths_from_files(call, tmp_path):
         (("sanchez_8r", "--path", "sanchez-arc", "--start", "1,2,3"), "--start: 3 numbers given"),
         (("sanchez_8r", "--path", "sanchez-arc", "--start", "E", "--feedback", "0"), "misses the start of the path"),
         (("panda", "--path", "sanchez-arc", "--start", "A"), "is a posture of sanchez_8r"),
-        (("sanchez_8r", "--path", "sanchez-arc", "--start", "best"), "that of the posture that --start gives"),
-        (("panda", "--path", "sanchez-arc"), "that of the posture that --start gives"),
+        (("sanchez_8r", "--path", "sanchez-arc", "--start", "best"), "'best' needs a path that says the orientation"),
         (("planar_3r", "--path", "sanchez-arc"), "coordinates"),
         (("planar_3r", "--circle", "-0.1"), "radius"),
         (("planar_3r", "--circle", "nan"), "radius"),
@@ -255,6 +299,23 @@ def test_paths_from_files(call, tmp_path):
             "--gain: 'pseudoinverse' has none",
         ),
         (("planar_3r", "--circle", "0.1", "--method", "pseudoinverse", "--limits"), "limited and global do"),
+        (("planar_3r", "--circle", "0.1", "--method", "damped"), "--damping is needed"),
+        (("planar_3r", "--circle", "0.1", "--damping", "magic,1"), "--damping: 'magic'; constant, nakamura"),
+        (("planar_3r", "--circle", "0.1", "--damping", "nakamura,1"), "--damping: 1 number given; 2 are accepted"),
+        (("planar_3r", "--circle", "0.1", "--damping", "constant,-1"), "damping factor: -1"),
+        (
+            ("planar_3r", "--circle", "0.1", "--damping", "constant,1", "--compare", "pseudoinverse,global"),
+            "which is not among the methods",
+        ),
+        (("planar_3r", "--circle", "0.1", "--damping", "constant,1", "--method", "global"), "are for local laws"),
+        (("planar_3r", "--circle", "0.1", "--weights", "1,2"), "weights: 2 given; 3"),
+        (("planar_3r", "--circle", "0.1", "--weights", "1,2,x"), "--weights, entry 1: 'x'"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority"), "--secondary and the method 'priority'"),
+        (("planar_3r", "--circle", "0.1", "--secondary", "q1=0"), "--secondary and the method 'priority'"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q9=0"), "joint 'q9': planar_3r has"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q1"), "--secondary: 'q1'"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q1=a"), "--secondary, q1, entry 1"),
+        (("planar_3r", "--circle", "0.1", "--method", "priority", "--secondary", "q1=0,q2=0"), "k from 1 to 1"),
         (("planar_3r", "--circle", "0.1", "--limits", "--integrator", "rk4"), "with limits 'euler' is accepted"),
         (("planar_3r", "--circle", "0.1", "--compare", "luck"), "--compare: 'luck'"),
         (("planar_3r", "--circle", "0.1", "--compare", "all", "--csv", "a.csv"), "not for --compare"),
@@ -341,6 +402,23 @@ def test_starts_that_gain_are_counted():
     figure = drawn.draw_population([0.01, 0.02, 0.03], [0.02, 0.01, 0.04], ("a", "b"), {"A": (0.01, 0.02)}, "title")
     labels = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
     assert labels == ["gain: 2 starts", "lose: 1"]
+
+
+def test_a_determinant_below_the_scale_is_marked_at_its_edge():
+    arm = cr.planar_3r(1.0, 0.5, 0.25)
+    q = [0.0, 1.0, -1.0]
+    outwards = line_from(arm, q, [1.0, 0.0])
+    run = cr.track(arm, outwards, q, gain=0.0, damping=Damping("constant", 0.1))
+    assert run.determinant.min() < 1e-7 * run.determinant.max()
+    axes = drawn.draw_run(run).axes[1]
+    dot = next(line for line in axes.lines if line.get_marker() == "o")
+    assert dot.get_ydata()[0] == axes.get_ylim()[0] > run.determinant.min()
+    assert "tip off by up to 1970 mm" in words.finding(replace(run, position_error=0.0 * run.position_error + 1.39))
+
+
+def test_eight_lines_differ_in_grey():
+    looks = [line_look(k) for k in range(8)]
+    assert len({str(look["ls"]) for look in looks}) == 8 and len({look["color"] for look in looks}) == 7
 
 
 def test_units_of_slides_and_masses():

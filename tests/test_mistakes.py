@@ -302,7 +302,8 @@ def test_a_start_off_the_path_is_an_event():
     run = cr.track(FLAT, LINE, off)
     (event,) = (event for event in run.events if event.kind == "start off the path")
     assert event.t == 0.0
-    assert f"{1000.0 * np.hypot(*(FLAT.position(off) - (0.6, 0.3))):.3g} mm" in event.text
+    away = 1000.0 * np.hypot(*(FLAT.position(off) - (0.6, 0.3)))
+    assert f"begins {float(f'{away:.2e}'):g} mm" in event.text
     assert not [event for event in cr.track(FLAT, LINE, "best").events if event.kind == "start off the path"]
 
 

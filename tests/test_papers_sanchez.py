@@ -134,11 +134,28 @@ def test_every_figure_is_known_and_each_kind_is_drawn():
         assert figure.get_suptitle().startswith(f"Figure {name}: ")
         figure.savefig(io.BytesIO(), format="svg")
     assert "assumed link masses" in sanchez_figures.draw("5.10").get_suptitle()
+    start = cr.load("sanchez_8r").jacobian(sanchez_paths.STARTS["E"])
+    assert f"det J Jᵀ = E {np.linalg.det(start @ start.T):.2g}" in sanchez_figures.draw("5.4").get_suptitle().replace(
+        "\n", " "
+    )
+    beside = [text for axes in sanchez_figures.draw("5.11").axes for text in axes.texts]
+    assert [text.get_text() for text in beside] == [f"q{j}" for j in range(1, 9)]
+    assert all(text.xy[0] >= 1.0 for text in beside)  # no curve runs behind them
     lines = sanchez_figures.draw("5.9").axes[0].lines
     assert len(lines) == 3  # A, B, C
     for line in lines:
         t, height = line.get_xydata().T
         assert t[height.argmin()] == pytest.approx(1.28, abs=0.015)
+
+
+def test_errors_of_the_tip_are_drawn_for_every_start():
+    figure = sanchez_figures.draw_errors()
+    assert [axes.get_title(loc="left") for axes in figure.axes] == ["n (x axis)", "o (y axis)", "a (z axis)", "p [m]"]
+    assert all(len(axes.lines) == 6 for axes in figure.axes)
+    run = sanchez_runs.run_from("B", -2.0)
+    away = np.linalg.norm(run.arm.position(run.q) - sanchez_paths.thesis_arc().sample(run.t, "position").held, axis=1)
+    np.testing.assert_allclose(figure.axes[3].lines[4].get_ydata(), away, atol=1e-15)
+    assert f"B {1000.0 * away.max():.2g}" in figure.get_suptitle().replace("\n", " ")
 
 
 def test_the_map_of_gains_shows_the_bound():

@@ -596,6 +596,8 @@ FLAT, TWO = ([0.0] * 3, [0.0] * 3, None, 0.01), (np.ones((2, 3)), [1.0, 1.0])
         (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, "fast"), "dt"),
         (lambda: Stepper(arm_of("planar_3r"))(*FLAT[:1], [0.0, 0.0], *FLAT[2:], secondary=TWO), "k from 1 to 1"),
         (lambda: Stepper(arm_of("planar_3r"), task="pose")(*FLAT, secondary=TWO), "no joint to spare"),
+        (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, 0.01, secondary=3), "secondary: 3; a Jacobian"),
+        (lambda: Stepper(arm_of("panda"))([0.0] * 7, np.eye(4), None, 0.01, secondary=("a", 0)), "real numbers"),
     ],
 )  # fmt: skip
 def test_refusals(make, said):
@@ -615,6 +617,7 @@ def test_plain_data():
     }
     law = Law({"H": 1}, weights=[1, 2])
     assert Law(**{**law.to_dict(), "damping": Damping(**law.to_dict()["damping"])}) == law
+    assert Law(weights=[1, np.inf]).to_dict()["weights"] == [1.0, None]  # JSON has no infinity
 
 
 def test_groups_are_those_of_the_catalogue():

@@ -241,7 +241,11 @@ def test_no_times_no_targets() -> None:
         (lambda: cr.TaskPath.arc((0.0, 0.0, 0.0), 1.0, x=(1.0, 1.0, 0.0), duration=1.0), "not square"),
         (lambda: cr.TaskPath.spline([[0.0, 0.0, 0.0]], duration=1.0), "k from 3"),
         (lambda: cr.TaskPath.spline([[0.0, 0.0], [0.0, 0.0], [1.0, 0.0]], duration=1.0), "numbers 1 and 2 are one"),
-        (lambda: cr.TaskPath.polyline([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]], 0.0, duration=1.0), "deviation"),
+        (
+            lambda: cr.TaskPath.polyline([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]], 0.0, duration=1.0),
+            "^deviation: 0; a positive number is accepted$",
+        ),
+        (lambda: cr.TaskPath.line((0.0, 0.0), (1.0, 0.0), law=[0.0, 1.0]), r"^law: \[0.0, 1.0\]; a TimeLaw"),
         (lambda: cr.TaskPath.poses(np.zeros((3, 3)), duration=1.0), "numbers 1 and 2 are one"),
         (lambda: cr.TaskPath.poses(POINTS, TURNS[:3], duration=1.0), "one each is accepted"),
         (lambda: cr.TaskPath.samples([0.0, 1.0, 1.0], POINTS[:3]), "times that rise from 0"),

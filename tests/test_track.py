@@ -16,6 +16,7 @@ from chainrule.errors import InputError
 from chainrule.redundancy.limited import Box, Program, box, braking
 from chainrule.redundancy.measure import errors
 from chainrule.redundancy.result import EVENTS
+from chainrule.redundancy.samples import circle_through
 from chainrule.redundancy.stability import decay
 from chainrule.redundancy.starts import best, bring, postures_at
 from chainrule.redundancy.step import Damping, Law, Stepper
@@ -121,6 +122,8 @@ def test_a_run_as_plain_values() -> None:
     run = cr.track(PLANAR, FLAT, flat_start(), task="position", dt=0.1)
     plain = json.loads(json.dumps(run.to_dict(), allow_nan=False))
     assert plain["status"] == "complete" and plain["frame_errors"][0][0] is None and plain["torque"] is None
+    assert plain["masses"] is None
+    assert cr.track(THESIS, ARC, A, dt=0.5).to_dict()["masses"].startswith("assumed link masses 3, 2.5, 2")
     headings, rows = run.rows()
     assert len(headings) == len(set(headings)) and {len(row) for row in rows} == {len(headings)}
     assert len(rows) == 11 and rows[3][headings.index("q2")] == run.q[3, 1]
@@ -353,6 +356,17 @@ def test_limits_in_the_plane_and_paths_that_end_at_a_limit() -> None:
     assert any("position limit" in event.text for event in run.events)
 
 
+def test_what_had_to_go_back_is_not_much_slower_than_it_need_be() -> None:
+    """Against the least time of the free motion; going back alone takes three times as long."""
+    pytest.importorskip("toppra")
+    q = [0.3, -0.8, 0.0, -2.3, 0.0, 1.6, 0.8]
+    circle = circle_through(PANDA, q, 0.15, 1.0)
+    least = cr.fastest_run(cr.track(PANDA, circle, q, integrator="rk4", dt=0.01), circle).t[-1]
+    run = cr.track(PANDA, circle, q, dt=0.01, limits=True)
+    assert run.status == "complete" and least <= run.t[-1] < 1.6 * least
+    assert (np.abs(run.accelerations) <= PANDA.limits.acceleration * (1.0 + 1e-9)).all()
+
+
 def test_without_need_limits_change_nothing() -> None:
     arm = THESIS.with_limits(position=[(-9.0, 9.0)] * 8, velocity=[50.0] * 8)
     kept = cr.track(arm, ARC, A, gain=-2.0, dt=0.01, limits=True)
@@ -373,6 +387,9 @@ def test_a_gain_too_large_is_said_before_it_diverges() -> None:
     assert wild.status == "stopped"
     kinds = [event.kind for event in wild.events]
     assert kinds.index("gain too large") < kinds.index("rates too large")
+    assert wild.reason.endswith(f"gain too large from {wild.events[0].t:.4g} s on")
+    at_once = cr.track(PLANAR, FLAT, start, gain=1e7, **options)
+    assert [event.kind for event in at_once.events[:2]] == ["gain too large", "rates too large"]
     assert wild.events[0].t < 0.6 * wild.t[-1]
     stepper = Stepper(PLANAR, Law({"H": 1.0}), "position")
     rho = decay(stepper, calm.q[::10], calm.held[::10])
@@ -404,6 +421,42 @@ def test_runs_that_cannot_go_on_stop_with_a_reason() -> None:
     assert nan.t[-1] == pytest.approx(0.4)
     loud = cr.track(PLANAR, FLAT, flat_start(), dt=0.1, feedback=50.0, gain=0.0)
     assert any("feedback" in event.text for event in loud.events)
+    slow = PLANAR.with_limits(velocity=[1.0] * 3)
+    kept = cr.track(slow, FLAT, flat_start(), task="position", dt=0.1, feedback=50.0, gain=0.0, limits=True)
+    assert any("feedback" in event.text for event in kept.events)
+
+
+def test_a_path_that_is_left_is_said() -> None:
+    """The arm reaches as far as 1.75 m; what is damped or has no feedback goes on without the path."""
+    outwards = cr.TaskPath.line((1.2, 0.0), (2.0, 0.0), duration=1.0)
+    start = bring(PLANAR, "position", np.array([1.2, 0.0]), np.array([[0.5, -0.6, -0.6]]))[0][0]
+    for options in ({"damping": Damping("constant", 0.1)}, {"damping": Damping("constant", 0.1), "feedback": 0.0}):
+        run = cr.track(PLANAR, outwards, start, gain=0.0, dt=0.01, **options)
+        assert run.status == "complete" and "of its target" not in run.reason
+        assert run.reason.startswith("the end of the path's time was reached, the tip ")
+        left = next(event for event in run.events if event.kind == "path left")
+        away = np.linalg.norm(run.position_error, axis=1)
+        assert away[run.t >= left.t].min() > 0.008 >= away[run.t < left.t].max()  # a hundredth of 0.8 m
+        assert left.t <= 0.55 / 0.8 + 0.03
+    stays = cr.track(PLANAR, FLAT, flat_start(), task="position", dt=0.01)
+    assert not stays.events and stays.reason == "the end of the path was reached"
+
+
+def test_limits_that_are_not_asked_for_are_said_to_be_passed() -> None:
+    q = flat_start()
+    free = cr.track(PLANAR, FLAT, q, task="position", dt=0.01)
+    low, high = free.q.min(axis=0), free.q.max(axis=0)
+    top = np.array([(-9.0, 9.0), (-9.0, 9.0), (low[2] - 1.0, high[2] - 0.01)])
+    most = np.array([9.0, 9.0, 9.0])
+    most[0] = 0.9 * np.abs(free.rates[:, 0]).max()
+    run = cr.track(PLANAR.with_limits(position=top, velocity=most), FLAT, q, task="position", dt=0.01)
+    np.testing.assert_array_equal(run.q, free.q)
+    told = {event.text.split("'")[1]: event for event in run.events if event.kind == "limit passed"}
+    assert sorted(told) == ["joint1", "joint3"]
+    assert told["joint3"].t == free.t[(free.q[:, 2] > high[2] - 0.01).argmax()]
+    assert "position limit, by up to 0.01 rad" in told["joint3"].text
+    assert told["joint1"].t == free.t[(np.abs(free.rates[:, 0]) > most[0]).argmax()]
+    assert "velocity limit" in told["joint1"].text and told["joint1"].text.endswith("rad/s")
 
 
 # ---- starts ------------------------------------------------------------------------------------------------------
@@ -435,6 +488,13 @@ def test_a_start_is_found_from_which_the_path_can_be_followed() -> None:
     others = postures_at(PANDA, "pose", path.sample([0.0]).held[0], 6, seed=9)
     least = [cr.track(PANDA, path, q, dt=0.01).min_manipulability for q in others]
     assert run.min_manipulability > 0.9 * max(least)
+    across = cr.TaskPath.line((0.5, -0.1, 0.0), (0.5, 0.1, 0.0), duration=1.0, orientation=[0.0, 1.0, 0.0, 0.0])
+    found, top = (cr.track(THESIS, across, q0, dt=0.02) for q0 in ("followable", "best"))
+    assert not top.events and found.min_manipulability > (1.0 - 1e-3) * top.min_manipulability
+    turns = cr.track(PANDA, cr.TaskPath.line((0.5, -0.2, 0.4), (0.5, 0.2, 0.4), duration=1.0), dt=0.01)
+    assert turns.status == "complete"  # a posture was found that holds its own orientation
+    np.testing.assert_allclose(turns.held[:, :3, :3], np.tile(PANDA.pose(turns.q[0])[:3, :3], (101, 1, 1)), atol=1e-12)
+    np.testing.assert_allclose(turns.position_error[0], 0.0, atol=1e-9)
     far = cr.TaskPath.line((0.5, -0.2, 0.4), (0.5, 3.0, 0.4), duration=1.0, orientation=[0.0, 1.0, 0.0, 0.0])
     with pytest.raises(InputError, match=r"none of .* postures at the start follows"):
         cr.track(PANDA, far, dt=0.01)
@@ -468,6 +528,8 @@ def test_batches_of_diverging_and_of_no_runs() -> None:
     assert found.final_position_error[0, 0, 1] < found.final_position_error[0, 0, 0]
     none = cr.track_batch(PLANAR, FLAT, np.empty((0, 3)), [1.0], **options)
     assert none.diverged.shape == (0, 1, 1)
+    none = cr.track_batch(THESIS, ARC, np.empty((0, 8)), [-1.0, -2.0])  # each would hold its own orientation
+    assert none.diverged.shape == (0, 2, 1)
     turned = cr.track_batch(PLANAR, FLAT, [start], [0.0], task="pose")  # holds the start's own angle
     assert turned.final_orientation_error[0, 0, 0] < 1e-2
 
@@ -477,7 +539,7 @@ def test_the_least_time_of_a_run() -> None:
     path, q0 = panda_line(5, 0.2, 1.0)
     run = cr.track(PANDA, path, q0, gain=0.0, integrator="rk4", dt=0.005)
     quick = cr.fastest_run(run, path)
-    assert quick.t[-1] < 2.0 * run.t[-1]
+    assert quick.t[-1] < 2.0 * run.t[-1] and quick.scale.min() >= 0.0
     assert (np.abs(quick.rates) <= PANDA.limits.velocity + 1e-9).all()
     assert (np.abs(quick.accelerations) <= PANDA.limits.acceleration + 1e-9).all()
     pushed = np.maximum(
@@ -511,6 +573,12 @@ def test_the_least_time_of_a_run() -> None:
         ({"stop_rate": -1.0}, "stop_rate"),
         ({"weights": [1.0, 2.0]}, "weights"),
         ({"push": lambda t, q: np.zeros(2)}, "push: it gives shape"),
+        ({"method": "priority", "secondary": lambda t, q: None}, "secondary: it gives None"),
+        ({"method": "priority", "secondary": lambda t, q: np.eye(3)}, r"Jacobian \(k, n\) and velocity"),
+        ({"near": "far"}, "near"),
+        ({"near": 1.5}, "near: 1.5; a share"),
+        ({"seed": "a", "q0": None}, "seed"),
+        ({"seed": -1, "q0": "best"}, "seed"),
         ({"q0": [0.0, 0.0]}, r"q0: shape \(2,\)"),
         ({"q0": "worst"}, "'best' or 'followable'"),
         ({"q0": [0.0, 0.0, 0.0], "feedback": 0.0}, "misses the start of the path"),
@@ -533,11 +601,18 @@ def test_more_refusals() -> None:
     with pytest.raises(InputError, match="outside its limits"):
         cr.track(PLANAR.with_limits(position=[(2.0, 3.0)] * 3), FLAT, flat_start(), task="position", limits=True)
     with pytest.raises(InputError, match="the path says no orientation"):
-        cr.track(PANDA, cr.TaskPath.line((0.4, 0.0, 0.4), (0.5, 0.0, 0.4), duration=1.0))
+        cr.track(PANDA, cr.TaskPath.line((0.4, 0.0, 0.4), (0.5, 0.0, 0.4), duration=1.0), "best")
     with pytest.raises(InputError, match="rows for 3 joints"):
         cr.track(cr.orthogonal_3r(1.0, 2.0, 1.5, 1.0), LINE, [0.0] * 3, task="pose")
     with pytest.raises(InputError, match="integrator"):
         cr.track_batch(PLANAR, FLAT, flat_start(), integrator="dop853")  # type: ignore[arg-type]
+    for none in ({"gains": []}, {"dt": []}):
+        with pytest.raises(InputError, match=rf"{next(iter(none))}: shape \(0,\)"):
+            cr.track_batch(PLANAR, FLAT, flat_start(), **none)
+    with pytest.raises(InputError, match="no joint has two limits"):
+        cr.track_batch(PLANAR, FLAT, flat_start(), criterion="limits")
+    with pytest.raises(InputError, match="law: none"):
+        Stepper(PLANAR, [])
     with pytest.raises(InputError, match=r"starts: shape"):
         cr.track_batch(PLANAR, FLAT, [0.0, 0.0])
     with pytest.raises(InputError, match="q0: shape"):

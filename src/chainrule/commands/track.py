@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, cast
 
 import typer
 
@@ -15,6 +15,7 @@ from chainrule.console import (
     Json,
     Task,
     Tip,
+    angle,
     app,
     bounds,
     complain,
@@ -34,13 +35,18 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from chainrule.arm import Arm
+    from chainrule.redundancy.asked import Secondary
+    from chainrule.redundancy.globally import Between
     from chainrule.redundancy.result import Run
+    from chainrule.redundancy.step import Damping
     from chainrule.redundancy.task_path import TaskPath
 
 #: Paths known by name, of Sanchez's thesis, and a start posture for the thesis' arm on each.
 NAMED = {"sanchez-arc": ("arc", "A"), "sanchez-ellipse": ("ellipse", "E"), "sanchez-line": ("line", "L")}
 #: What can be asked for by --method and --compare.
-METHODS = ("pseudoinverse", "gradient_projection", "limited", "global")
+METHODS = ("pseudoinverse", "damped", "gradient_projection", "priority", "limited", "global")
+#: Those that know no gain.
+GAINLESS = ("pseudoinverse", "damped")
 
 
 @app.command()
@@ -84,6 +90,25 @@ def track(
         typer.Option(help="Gain of the criterion: -2, or 2 for H, when left out. Negative gains lower it."),
     ] = None,
     criterion: Annotated[str, typer.Option(help="H, 1/H, H^(-1/2) or limits.")] = "H^(-1/2)",
+    damping: Annotated[
+        str | None,
+        typer.Option(
+            metavar="KIND,MU[,AT]",
+            help="Damping near singularities: constant,MU; nakamura,MU,H or chiaverini,MU,S where H, or the least "
+            "singular value, falls below it. With --compare that of 'damped'.",
+        ),
+    ] = None,
+    weights: Annotated[
+        str | None,
+        typer.Option(metavar="W,W,..", help="What each joint's motion costs; inf for one that stands still."),
+    ] = None,
+    secondary: Annotated[
+        str | None,
+        typer.Option(
+            metavar="Q=V[,Q=V..]",
+            help="For --method priority: joints led to values as far as the path allows, such as q3=0.5.",
+        ),
+    ] = None,
     feedback: Annotated[
         float | None, typer.Option(help="Feedback of the tip's error, 1/s; half of it in a step when left out.")
     ] = None,
@@ -111,7 +136,10 @@ def track(
         bool, typer.Option("--forecast", help="Only say beforehand whether the local law will follow the path.")
     ] = False,
     tolerance: Annotated[
-        float | None, typer.Option(help="Exit with 1 also if the tip is farther than this from the path, m.")
+        float | None,
+        typer.Option(
+            help="Exit with 1 if the tip is farther than this from the path, m; a 100th of its extent if left out."
+        ),
     ] = None,
     figure: Annotated[
         Path | None, typer.Option(metavar="FILE", callback=figure_file, help="Draw it into a .svg, .png or .pdf file.")
@@ -132,22 +160,25 @@ def track(
 ) -> None:
     """Follow a path with an arm that has joints to spare: how near to singularities, how fast, how exactly.
 
-    Exits with 1 if the end of the path is not reached (with --compare: by no method; with --forecast: probably not).
+    Exits with 1 if the end of the path is not reached, or the path is left (with --compare: by all methods; with
+    --forecast: probably).
 
     Example: chainrule track sanchez_8r --path sanchez-arc --gain -2 --figure track.svg
     """
     loaded = _limited(load_arm(arm, tip, base), velocity, acceleration, deg)
     _check(csv, compare, forecast, duration, path, tolerance)
+    second = None if secondary is None else _secondary(loaded, secondary, deg)
     if (limits or method == "limited") and not _any_limits(loaded):
         raise InputError(f"{loaded.name} has no limits to keep; --velocity and --acceleration give some")
     if limits and method == "gradient_projection":
         method = "limited"
-    chosen = _methods(loaded, compare, method, limits)
+    chosen = _methods(loaded, compare, method, limits, damping is not None, second is not None)
     task = loaded.task_of_full_rank(task)
     desired, posture = _path(loaded, task, path, circle, line, duration, start, deg)
-    if desired.turning is None and task != "position" and (posture is None or isinstance(posture, str)):
+    if desired.turning is None and task != "position" and isinstance(posture, str) and posture == "best":
         raise InputError(
-            f"the path says no orientation, and the task '{task}' holds one: that of the posture that --start gives"
+            f"--start: 'best' needs a path that says the orientation, which the task '{task}' holds; joint values or "
+            "followable are accepted"
         )
     options: dict[str, Any] = {
         "task": task,
@@ -155,11 +186,15 @@ def track(
         "feedback": feedback,
         "dt": dt,
         "integrator": integrator,
+        "damping": None if damping is None else _damping(damping),
+        "weights": None if weights is None else _weights(weights),
     }
-    if limits and method == "pseudoinverse":
-        raise InputError("--limits: 'pseudoinverse' does not keep them; limited and global do")
-    if chosen == ("pseudoinverse",) and gain is not None:
-        raise InputError("--gain: 'pseudoinverse' has none; gradient_projection and limited take one")
+    if limits and method not in ("limited", "global"):
+        raise InputError(f"--limits: '{method}' does not keep them; limited and global do")
+    if chosen[0] in GAINLESS and len(chosen) == 1 and gain is not None:
+        raise InputError(f"--gain: '{method}' has none; gradient_projection and limited take one")
+    if chosen == ("global",) and (damping is not None or weights is not None):
+        raise InputError("--damping and --weights are for local laws, not for global")
     _wonder(gain, criterion)
     if forecast:
         _forecast(loaded, desired, posture, gain, options, as_json)
@@ -169,6 +204,10 @@ def track(
         found = {}
         for name in chosen:
             own = options | ({"integrator": "euler"} if name == "limited" and compare is not None else {})
+            if compare is not None and name != "damped":
+                own["damping"] = None
+            if name == "priority":
+                own["secondary"] = second
             found[name] = _followed(loaded, desired, posture, name, gain, own, limits, progress)
         if fastest:
             progress("finding the least time")
@@ -185,6 +224,8 @@ def track(
         for written in files:
             say(written)
     if not any(_good(run, tolerance) for run in runs.values()):
+        if tolerance is not None and any(run.status == "complete" for run in runs.values()):
+            complain(f"the tip is farther than {tolerance:g} m from its target, which --tolerance allows")
         raise typer.Exit(1)
 
 
@@ -218,7 +259,38 @@ def _limited(arm: Arm, velocity: str | None, acceleration: str | None, deg: bool
     return arm.with_limits(**given) if given else arm
 
 
-def _methods(arm: Arm, compare: str | None, method: str, limits: bool) -> tuple[str, ...]:
+def _damping(text: str) -> Damping:
+    """KIND,MU or KIND,MU,THRESHOLD."""
+    from chainrule.redundancy.step import KINDS, Damping
+
+    kind, _, rest = text.partition(",")
+    if kind not in KINDS[1:]:
+        raise InputError(f"--damping: {shown(kind)}; {', '.join(KINDS[1:])} are accepted")
+    return Damping(cast("Any", kind), *numbers(rest, "--damping", 1 if kind == "constant" else 2))
+
+
+def _weights(text: str) -> list[float]:
+    """Numbers, or inf."""
+    parts = [part.strip() for part in text.split(",")]
+    return [math.inf if part == "inf" else numbers(part, "--weights", 1)[0] for part in parts]
+
+
+def _secondary(arm: Arm, text: str, deg: bool) -> Secondary:
+    """Joints and their values."""
+    from chainrule.redundancy.secondary import joints_towards
+
+    values: dict[str, float] = {}
+    for part in text.split(","):
+        name, equals, value = (piece.strip() for piece in part.partition("="))
+        if not equals or name in values:
+            raise InputError(f"--secondary: {shown(part)}; joints and their values are accepted, such as q3=0.5,q5=0")
+        found = numbers(value, f"--secondary, {name}", 1)[0]
+        slides = any(kind == "P" for j, kind in enumerate(arm.kinds) if name in (arm.joint_names[j], f"q{j + 1}"))
+        values[name] = found if slides else angle(found, deg, f"--secondary, {name}")
+    return joints_towards(arm, values)
+
+
+def _methods(arm: Arm, compare: str | None, method: str, limits: bool, damped: bool, second: bool) -> tuple[str, ...]:
     """The methods to run, by name."""
     names: tuple[str, ...]
     if compare is None:
@@ -226,12 +298,19 @@ def _methods(arm: Arm, compare: str | None, method: str, limits: bool) -> tuple[
     elif limits:
         raise InputError("--limits is for one method; --compare takes 'limited' among its methods")
     else:
-        every = METHODS if _any_limits(arm) else tuple(name for name in METHODS if name != "limited")
+        possible = {"limited": _any_limits(arm), "damped": damped, "priority": second}
+        every = tuple(name for name in METHODS if possible.get(name, True))
         names = every if compare == "all" else tuple(dict.fromkeys(part.strip() for part in compare.split(",")))
     for name in names:
         if name not in METHODS:
             what = "--method" if compare is None else "--compare"
             raise InputError(f"{what}: {shown(name)}; {', '.join(METHODS)} are accepted")
+    if "damped" in names and not damped:
+        raise InputError("--damping is needed for 'damped', such as nakamura,0.05,0.01")
+    if ("priority" in names) != second:
+        raise InputError("--secondary and the method 'priority' come together, such as --secondary q3=0.5")
+    if damped and compare is not None and "damped" not in names:
+        raise InputError("--damping: with --compare it is that of 'damped', which is not among the methods")
     return names
 
 
@@ -334,9 +413,12 @@ def _followed(
         own = {key: options[key] for key in ("task", "dt")}
         begun = perf_counter()
         found = track_globally(arm, path, posture, limits=limits, progress=progress, **own)
-        return found.run, (perf_counter() - begun) / max(len(found.run.t) - 1, 1), found.text
-    more = {**options, "method": "pseudoinverse" if name == "pseudoinverse" else "gradient_projection"}
-    if name != "pseudoinverse":
+        cost = (perf_counter() - begun) / max(len(found.run.t) - 1, 1)
+        off = "" if found.between is None else _between(found.between)
+        return found.run, cost, found.text + off
+    kind = "pseudoinverse" if name in GAINLESS else "priority" if name == "priority" else "gradient_projection"
+    more = {**options, "method": kind}
+    if name not in GAINLESS:
         more["gain"] = gain
     if name == "limited":
         more["limits"] = True
@@ -349,14 +431,25 @@ def _followed(
     return run, cost, ""
 
 
+def _between(between: Between) -> str:
+    from chainrule.redundancy.words import rounded
+
+    return f"; between the samples the tip is up to {rounded(1000.0 * between.position, 3):g} mm off its target"
+
+
 def _name(method: str, run: Run) -> str:
     from chainrule.redundancy.words import method_name
 
-    return method_name(run) + (", within the limits" if method == "limited" else "")
+    more = {"limited": ", within the limits", "damped": ", damped"}
+    return method_name(run) + more.get(method, "")
 
 
 def _good(run: Run, tolerance: float | None) -> bool:
-    return run.status == "complete" and (tolerance is None or run.worst_position_error <= tolerance)
+    from chainrule.redundancy.words import left_at
+
+    if run.status != "complete":
+        return False
+    return left_at(run) is None if tolerance is None else run.worst_position_error <= tolerance
 
 
 def _forecast(

@@ -359,13 +359,15 @@ def _paths() -> list[Row]:
 
 
 def figures() -> dict[str, Figure]:
-    """Figures 5.1 to 5.32, from the start postures A, B, C (arc), E (ellipse) and L (line), and two that say more.
+    """Figures 5.1 to 5.32, from the start postures A, B, C (arc), E (ellipse) and L (line), and three that say more.
 
+    ``figure-errors`` has the errors of n, o, a and p (the thesis' are among the figures after its last page here),
     ``figure-starts`` has random starts beside the selected ones, ``figure-gains`` what gains and steps go together.
     """
     from chainrule.papers import sanchez_figures as drawn
 
     return {f"figure-{name}": drawn.draw(name) for name in (*drawn.PLACES, *drawn.DRAWN)} | {
+        "figure-errors": drawn.draw_errors(),
         "figure-starts": drawn.draw_starts(),
         "figure-gains": drawn.draw_gains(),
     }

@@ -1,4 +1,4 @@
-"""Figures 5.1 to 5.32 of E. A. Sanchez's thesis, from the start postures that were found, and two that say more."""
+"""Figures 5.1 to 5.32 of E. A. Sanchez's thesis, from the start postures that were found, and three that say more."""
 
 from __future__ import annotations
 
@@ -18,13 +18,21 @@ from chainrule.papers.sanchez_runs import (
     each,
     gain_map,
     least,
+    millimetres,
     population,
     run_from,
     runs_on,
     torque,
     when,
 )
-from chainrule.plot.redundancy import draw_each_joint, draw_heights, draw_places, draw_population, draw_stability
+from chainrule.plot.redundancy import (
+    draw_each_joint,
+    draw_frame_errors,
+    draw_heights,
+    draw_places,
+    draw_population,
+    draw_stability,
+)
 from chainrule.redundancy.result import Run
 from chainrule.redundancy.stability import decay
 from chainrule.redundancy.step import Law, Stepper
@@ -80,7 +88,8 @@ def draw(name: str) -> Figure:
     if name in PLACES:
         path, share = PLACES[name]
         runs = runs_on(path, 0.0)
-        places = f"Figure {name}: the arm at the {_WHERE[share]} of the {path}, λ = 0"
+        height = each(runs, lambda run: float(run.determinant[round(share * (len(run.t) - 1))]), 2)
+        places = f"Figure {name}: the arm at the {_WHERE[share]} of the {path}, λ = 0, det J Jᵀ = {height}"
         return draw_places(_named(runs), [share], places)
     what, path, gain, steps = DRAWN[name]
     runs = runs_on(path, gain, steps)
@@ -106,6 +115,14 @@ def _sign(gain: float) -> str:
 
 def _named(runs: Mapping[str, Run]) -> dict[str, Run]:
     return {f"start {name}": run for name, run in runs.items()}
+
+
+def draw_errors() -> Figure:
+    """Errors of n, o, a and p on the arc from A, B and C, without a gain and with one: without feedback, as there."""
+    found = {gain: runs_on("arc", gain) for gain in (0.0, -2.0)}
+    named = {f"start {name}, λ = {_sign(gain)}": run for gain, runs in found.items() for name, run in runs.items()}
+    worst = ", ".join(f"{each(runs, millimetres)} mm with λ = {_sign(gain)}" for gain, runs in found.items())
+    return draw_frame_errors(named, f"Without feedback the errors of the steps add up: the tip is off by up to {worst}")
 
 
 def draw_starts() -> Figure:

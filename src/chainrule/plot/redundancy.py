@@ -18,7 +18,16 @@ from chainrule.arm import Arm
 from chainrule.plot.arm import even, links, seen_from
 from chainrule.plot.style import COLOURS, FIELD, WIDTH, line_look, styled
 from chainrule.redundancy.result import Run
-from chainrule.redundancy.words import comparison_finding, finding, masses, rate_unit, rounded, setup, torque_unit
+from chainrule.redundancy.words import (
+    comparison_finding,
+    finding,
+    left_at,
+    masses,
+    rate_unit,
+    rounded,
+    setup,
+    torque_unit,
+)
 from chainrule.tables import readable
 
 Array = NDArray[Any]
@@ -99,7 +108,7 @@ def draw_postures(axes: Axes, run: Run, marks: Sequence[int] | None = None) -> N
     else:
         chosen = dict(zip(marks, ("link", "joint", "accent", "muted"), strict=False))
         nearest = -1
-    dashes = {"muted": (0, (4, 1.4)), "joint": (0, (6, 1.2, 1.2, 1.2))}
+    dashes = {"muted": (0, (4, 1.4)), "joint": (0, (6, 1.2, 1.2, 1.2)), "accent": (0, (1.4, 0.5))}
     for k, colour in sorted(chosen.items()):
         line = links(arm, run.q[k]) @ view.T
         name = f"{readable(float(run.t[k]), 3)} s" + (", least H" if k == nearest else "")
@@ -183,8 +192,9 @@ def _determinant(axes: Axes, run: Run) -> None:
     _plain(axes, run)
     axes.plot(run.t, run.determinant, color=COLOURS["link"], lw=1.8)
     nearest = int(run.determinant.argmin())
-    axes.plot(run.t[nearest], run.determinant[nearest], "o", ms=5.5, color=COLOURS["accent"], clip_on=False, zorder=4)
     _scaled(axes, run.determinant)
+    lowest = max(float(run.determinant[nearest]), axes.get_ylim()[0])  # at the edge where it lies below the scale
+    axes.plot(run.t[nearest], lowest, "o", ms=5.5, color=COLOURS["accent"], clip_on=False, zorder=4)
     axes.set_title(f"det J Jᵀ = H², least {readable(float(run.determinant[nearest]), 3)}", loc="left")
     told: set[str] = set()
     for event in run.events:
@@ -201,6 +211,8 @@ def _determinant(axes: Axes, run: Run) -> None:
                 ha="right" if right else "left",
                 fontsize=8.5,
                 color=COLOURS["muted"],
+                bbox={"boxstyle": "round,pad=0.1", "fc": COLOURS["paper"], "ec": "none", "alpha": 0.8},
+                zorder=3,
             )
             told.add(event.kind)
 
@@ -266,7 +278,7 @@ def draw_runs(runs: Mapping[str, Run], title: str | None = None) -> Figure:
             _scaled(axes, np.concatenate(values), peaks=peaks)
             axes.set_title(name, loc="left")
             axes.set_xlabel("time [s]")
-        names = [name + ("" if run.status == "complete" else " (×: stopped)") for name, run in runs.items()]
+        names = [name + _ending(run) for name, run in runs.items()]
         drawing.legend(
             handles=[Line2D([], [], lw=1.7, label=name, **line_look(k)) for k, name in enumerate(names)],
             ncols=max(1, min(len(runs), LEGEND // (max(map(len, names)) + 8))),
@@ -276,6 +288,11 @@ def draw_runs(runs: Mapping[str, Run], title: str | None = None) -> Figure:
         )
         _title(drawing, title or f"{comparison_finding(runs)}.")
     return drawing
+
+
+def _ending(run: Run) -> str:
+    """What the legend adds to the name of a run that did not follow the path."""
+    return " (×: stopped)" if run.status != "complete" else "" if left_at(run) is None else " (path left)"
 
 
 def _third(runs: Mapping[str, Run], with_torque: bool) -> list[Array]:
@@ -395,7 +412,16 @@ def draw_population(
         axes.plot([low, high], [low, high], color=COLOURS["ink"], lw=1.0)
         for name, (first, second) in marked.items():
             axes.plot(first, second, "D", ms=7, mfc=COLOURS["paper"], mec=COLOURS["accent"], mew=1.8, zorder=4)
-            axes.annotate(name, (first, second), (7, 4), textcoords="offset points", color=COLOURS["ink"], zorder=5)
+            axes.annotate(
+                name,
+                (first, second),
+                (0, 7),
+                textcoords="offset points",
+                ha="center",
+                color=COLOURS["ink"],
+                bbox={"boxstyle": "round,pad=0.12", "fc": COLOURS["paper"], "ec": "none"},
+                zorder=5,
+            )
         for name, label in zip("xy", names, strict=True):
             getattr(axes, f"set_{name}scale")("log")
             getattr(axes, f"set_{name}lim")(low, high)
@@ -466,12 +492,12 @@ def draw_each_joint(runs: Mapping[str, Run], what: str, unit: str, title: str, n
             axes.yaxis.set_major_locator(MaxNLocator(3))
             axes.annotate(
                 f"q{j + 1}",
-                (0.985, 0.97),
+                (1.0, 0.5),
+                (4, 0),
                 xycoords="axes fraction",
-                ha="right",
-                va="top",
+                textcoords="offset points",
+                va="center",
                 color=COLOURS["ink"],
-                bbox={"boxstyle": "round,pad=0.15", "fc": COLOURS["paper"], "ec": "none", "alpha": 0.75},
             )
         for axes in panels[-1]:
             axes.set_xlabel("time [s]")
@@ -484,4 +510,29 @@ def draw_each_joint(runs: Mapping[str, Run], what: str, unit: str, title: str, n
             handlelength=2.8,
         )
         _title(drawing, title, note)
+    return drawing
+
+
+def draw_frame_errors(runs: Mapping[str, Run], title: str) -> Figure:
+    """By how much the tip's axes n, o, a and its place p miss those of the target: a panel each, a line for a run."""
+    with styled():
+        drawing = Figure(figsize=(WIDTH * 1.4, WIDTH * 1.0), layout="constrained")
+        panels = drawing.subplots(2, 2, sharex=True)
+        for j, axes in enumerate(panels.ravel()):
+            for k, run in enumerate(runs.values()):
+                _plain(axes, run)
+                axes.plot(run.t, run.frame_errors[:, j], lw=1.4, **line_look(k))
+            values = [run.frame_errors[:, j] for run in runs.values()]
+            _scaled(axes, np.concatenate(values), span=1.0, peaks=np.array([line.max() for line in values]))
+            axes.set_title(FRAME[j], loc="left")
+        for axes in panels[-1]:
+            axes.set_xlabel("time [s]")
+        drawing.legend(
+            handles=[Line2D([], [], lw=1.6, label=name, **line_look(k)) for k, name in enumerate(runs)],
+            loc="outside lower left",
+            ncols=3,
+            frameon=False,
+            handlelength=2.8,
+        )
+        _title(drawing, title)
     return drawing

@@ -40,7 +40,10 @@ COLOURS = {
 FIELD = "cividis"
 
 #: Line styles of several lines in one picture, and the colours they go with: together they tell lines apart in grey.
-DASHES: tuple[Any, ...] = ("-", (0, (5, 1.6)), (0, (1.2, 1.2)), (0, (7, 1.5, 1.5, 1.5)))
+DASHES: tuple[Any, ...] = (
+    *("-", (0, (5, 1.6)), (0, (1.2, 1.2)), (0, (7, 1.5, 1.5, 1.5))),
+    *((0, (11, 1.8)), (0, (2.4, 1.0)), (0, (1.2, 2.8)), (0, (7, 1.3, 1.3, 1.3, 1.3, 1.3))),
+)
 LINES = ("link", "joint", "accent", "axis_y", "axis_z", "ink", "muted")
 
 WIDTH = 5.0  # inches; text keeps its size relation to the figure on every screen
@@ -87,7 +90,7 @@ def figure(height: float, width: float = WIDTH) -> tuple[Figure, Axes]:
 
 
 def line_look(k: int) -> dict[str, Any]:
-    """Colour and dashes of the k-th of several lines, from 0; no two of the first 28 look alike."""
+    """Colour and dashes of the k-th of several lines, from 0; no two of the first 8 look alike in grey."""
     return {"color": COLOURS[LINES[k % len(LINES)]], "ls": DASHES[k % len(DASHES)]}
 
 

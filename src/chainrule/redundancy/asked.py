@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -44,7 +44,10 @@ class Extras:
             if found["push"].shape != q.shape:
                 raise InputError(f"push: it gives shape {found['push'].shape}; {q.shape} is accepted")
         if self.secondary is not None:
-            jacobian, velocity = self.secondary(t, q)
+            given = self.secondary(t, q)
+            if not isinstance(given, tuple | list) or len(given) != 2:
+                raise InputError(f"secondary: it gives {shown(given)}; Jacobian (k, n) and velocity (k,) are accepted")
+            jacobian, velocity = given
             found["secondary"] = (
                 real_array(jacobian, "secondary", finite=False),
                 real_array(velocity, "secondary", finite=False),
@@ -88,6 +91,12 @@ def gains(gain: float | Mapping[str, float] | None, criterion: str) -> dict[str,
     if criterion not in CRITERIA:
         raise InputError(f"criterion: {shown(criterion)}; {', '.join(CRITERIA)} are accepted")
     return {criterion: default_gain(criterion) if gain is None else real_number(gain, "gain")}
+
+
+def check_criterion(arm: Arm, criterions: Iterable[str]) -> None:
+    """Refuse the criterion "limits" for an arm that has none of both sides."""
+    if "limits" in criterions and not np.isfinite(arm.limits.position).all(axis=1).any():
+        raise InputError(f"{arm.name}: criterion 'limits': no joint has two limits; an arm that has is accepted")
 
 
 def default_gain(criterion: str) -> float:

@@ -14,7 +14,7 @@ from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 from chainrule.paths import real_number
 from chainrule.redundancy import starts as beginnings
-from chainrule.redundancy.asked import both, check_dimension, number_of_steps, orientation_of
+from chainrule.redundancy.asked import both, check_criterion, check_dimension, number_of_steps, orientation_of
 from chainrule.redundancy.measure import errors
 from chainrule.redundancy.step import Damping, Law, Step, Stepper
 from chainrule.redundancy.task_path import TaskPath
@@ -143,6 +143,7 @@ def track_batch(
     if begin.ndim != 2 or begin.shape[1] != arm.n:
         raise InputError(f"starts: shape {np.shape(starts)}; (b, {arm.n}) is accepted")
     values = _list(gains, "gains")
+    check_criterion(arm, [criterion] if values.any() else [])
     steps = (
         [number_of_steps(path, float(one)) for one in _list(dt, "dt")]
         if dt is not None
@@ -176,7 +177,7 @@ def track_batch(
 
 def _list(values: Any, name: str) -> Array:
     found = np.atleast_1d(real_array(values, name))
-    if found.ndim != 1:
+    if found.ndim != 1 or not found.size:
         raise InputError(f"{name}: shape {found.shape}; a number or a list of them is accepted")
     return found
 
@@ -187,9 +188,10 @@ class _Targets:
     def __init__(self, arm: Arm, path: TaskPath, task: str, begin: Array) -> None:
         self.path, self.task = path, task
         self.own: Array | None = None
-        if task != "position" and path.turning is None and len(begin):
-            turned = [orientation_of(arm, q, path.dimension) for q in begin]
-            self.path, self.own = path.holding(turned[0]), np.array(turned)[:, None]
+        if task != "position" and path.turning is None:
+            any_start = np.zeros((1, arm.n))  # where there is none
+            turned = [orientation_of(arm, q, path.dimension) for q in (begin if len(begin) else any_start)]
+            self.path, self.own = path.holding(turned[0]), np.array(turned)[: len(begin), None]
 
     def at(self, t: Array) -> tuple[Callable[[int], Array], Array]:
         """A function of the index that gives the targets, and the velocities (k, m)."""
@@ -295,15 +297,19 @@ def followable(stepper: Stepper, path: TaskPath, dt: float, count: int = beginni
     """The start posture (n,) from which a law follows a path with the largest least manipulability.
 
     Many postures at the start of the path follow it together, in steps of at least a 150th of its duration; those that
-    keep the velocity limits too come before those that would have to be slowed down.
+    keep the velocity limits too come before those that would have to be slowed down. Where the path says no
+    orientation each posture holds its own.
 
     Raises:
         InputError: no posture is found at the start, or none of them follows the path inside the position limits.
     """
     arm, task, law = stepper.arm, stepper.task, stepper.law
     assert isinstance(law, Law)
-    held, _ = path.sample([0.0], task)
-    q = beginnings.postures_at(arm, task, held[0], count, seed)
+    first = "position" if path.turning is None else task  # each posture holds its own orientation
+    held, _ = path.sample([0.0], first)
+    q = beginnings.postures_at(arm, first, held[0], count, seed)
+    if arm.n - arm.tasks[first] > 1:  # the best that climbing from them finds; with one joint to spare it takes longer
+        q = np.vstack([q, beginnings.best(arm, first, held[0], count, seed)])
     steps = min(round(path.duration / dt), max(COARSE, 1))
     coarse = path.duration / steps
     near, turn = (min(k, 1.0 / coarse) for k in law.feedback)

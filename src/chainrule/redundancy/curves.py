@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 from chainrule.paths import ArcLength, Path, left
+from chainrule.redundancy.time_laws import positive
 from chainrule.scaling import JointPath, polyline, rounded
 
 Array = NDArray[Any]
@@ -230,7 +231,7 @@ def corners(points: Any, deviation: Any) -> Pieces:
     """
     given = listed(points, 2)
     apart(np.linalg.norm(np.diff(given, axis=0), axis=1))
-    return Pieces(rounded(given, deviation))
+    return Pieces(rounded(given, positive(deviation, "deviation")))
 
 
 def through(points: Any, closed: bool = False) -> Interpolated:

@@ -76,6 +76,7 @@ def fastest_run(run: Run, path: TaskPath, *, velocity: Any = None, acceleration:
     t = np.linspace(0.0, found.duration, count + 1)
     q, rates, accelerations = found.sample(t)
     along, speed = found.along(t)
+    speed = np.maximum(speed, 0.0)  # rounding, where it comes to rest
     held, slope = path.sample(np.clip(along, 0.0, path.duration), task)
     return measured(
         arm,

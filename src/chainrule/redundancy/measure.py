@@ -12,6 +12,8 @@ from chainrule.arm import Arm
 from chainrule.description import Planar
 from chainrule.redundancy.result import Event, Run, Status
 from chainrule.redundancy.step import Law, Step, Stepper
+from chainrule.redundancy.words import rounded
+from chainrule.tables import joint_unit
 
 Array = NDArray[Any]
 
@@ -19,6 +21,12 @@ Array = NDArray[Any]
 NEAR = 0.1
 #: A start that misses the first target by more than this, m or rad, is off the path.
 OFF = 1e-3
+#: A tip farther from its target than this share of the path's extent (or OFF), or turned more (rad), has left the path.
+LEFT, TURNED = 0.01, 0.05
+#: By how much a joint's limit counts as passed, relative to it.
+PASSED = 1e-6
+#: How a run ends that does not stop early.
+END = "the end of the path was reached"
 
 
 def measured(
@@ -39,7 +47,7 @@ def measured(
     step: Step | None = None,
     events: Iterable[Event] = (),
     status: Status = "complete",
-    reason: str = "the end of the path was reached",
+    reason: str = END,
     near: float = NEAR,
     gravity: Any = None,
     wrench: Any = None,
@@ -80,7 +88,16 @@ def measured(
     if has_inertias(arm):
         torque = arm.inverse_dynamics(q, rates, accelerations, gravity=gravity, wrench=wrench)
     away, turned = errors(arm, task, found.error)
-    everything = [*beginning(away, turned), *events, *nearing(t, found.manipulability, near)]
+    off = share_off(held, away, turned)
+    if reason == END and off[-1] > 1.0:
+        reason = f"the end of the path's time was reached, the tip {_how_far(away[-1:], turned[-1:])} off its target"
+    everything = [
+        *beginning(away, turned),
+        *events,
+        *leaving(t, off, away, turned),
+        *passing(arm, t, q, rates),
+        *nearing(t, found.manipulability, near),
+    ]
     return Run(
         arm=arm,
         task=task,
@@ -162,18 +179,74 @@ def beginning(away: Array, turned: Array) -> list[Event]:
     length, angle = (float(np.linalg.norm(part[:1])) for part in (away, turned))
     if not max(length, angle) > OFF:
         return []
-    text = f"the tip begins {1000.0 * length:.3g} mm and {round(np.degrees(angle), 6):.3g} degrees off the first target"
-    return [Event(0.0, "start off the path", text)]
+    return [Event(0.0, "start off the path", f"the tip begins {_how_far(away[:1], turned[:1])} off the first target")]
+
+
+def _how_far(away: Array, turned: Array) -> str:
+    """The largest of errors (k, p) in m and (k, r) in rad, in words."""
+    length, angle = (float(np.linalg.norm(part, axis=1).max(initial=0.0)) for part in (away, turned))
+    return f"{rounded(1000.0 * length, 3):g} mm and {round(np.degrees(angle), 6):.3g} degrees"
+
+
+def share_off(held: Array, away: Array, turned: Array) -> Array:
+    """How far the tip is from its target (k,), as a share of what counts as having left the path.
+
+    Args:
+        held: (k, ...) targets.
+        away: (k, p) m.
+        turned: (k, r) rad.
+    """
+    targets = held[:, :3, 3] if held.ndim == 3 else held[:, : away.shape[1]]
+    extent = float(np.linalg.norm(np.ptp(targets, axis=0)))
+    distance, angle = (np.linalg.norm(part, axis=1) for part in (away, turned))
+    return np.asarray(np.maximum(distance / max(LEFT * extent, OFF), angle / TURNED))
+
+
+def leaving(t: Array, off: Array, away: Array, turned: Array) -> list[Event]:
+    """An event for every stretch in which the tip has left the path, but for one that begins with the run."""
+    return [
+        Event(
+            float(t[first]),
+            "path left",
+            f"the tip is up to {_how_far(away[first : last + 1], turned[first : last + 1])} off its target until "
+            f"{t[last]:.4g} s",
+        )
+        for first, last in stretches(off > 1.0)
+        if first
+    ]
+
+
+def passing(arm: Arm, t: Array, q: Array, rates: Array) -> list[Event]:
+    """An event for every joint that is outside its limits of position or velocity, when it is so first."""
+    low, high = arm.limits.position.T
+    most = arm.limits.velocity
+    found = []
+    for kind, beyond, size, power in (
+        ("position", np.maximum(q - high, low - q), np.maximum(1.0, np.abs(q)), ""),
+        ("velocity", np.abs(rates) - most, most, "/s"),
+    ):
+        with np.errstate(invalid="ignore"):  # no limit
+            outside = beyond > PASSED * size
+        for j in np.flatnonzero(outside.any(axis=0)):
+            text = (
+                f"joint '{arm.joint_names[j]}' passes its {kind} limit, by up to {beyond[:, j].max():.3g} "
+                f"{joint_unit(arm.kinds[j])}{power}"
+            )
+            found.append(Event(float(t[int(outside[:, j].argmax())]), "limit passed", text))
+    return found
+
+
+def stretches(mask: Array) -> list[tuple[int, int]]:
+    """First and last index of every run of true entries."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
+    return [(first, beyond - 1) for first, beyond in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)]
 
 
 def nearing(t: Array, w: Array, near: float) -> list[Event]:
     """An event for every stretch in which the manipulability is below ``near`` times the largest so far."""
     share = w / np.maximum(np.maximum.accumulate(w), 1e-300)
-    low = share < near
-    starts = np.flatnonzero(low & ~np.concatenate([[False], low[:-1]])) if len(w) else np.empty(0, int)
-    ends = np.flatnonzero(low & ~np.concatenate([low[1:], [False]])) if len(w) else np.empty(0, int)
     found = []
-    for first, last in zip(starts, ends, strict=True):
+    for first, last in stretches(share < near):
         least = first + int(np.argmin(w[first : last + 1]))
         found.append(
             Event(

@@ -24,6 +24,8 @@ EVENTS = {
     "start off the path": "the tip was farther than a millimetre or a milliradian from the first target",
     "singularity near": "the manipulability fell below the stated share of the largest so far",
     "limit met": "a joint came to a limit of position, velocity or acceleration",
+    "limit passed": "a joint is outside a limit of position or velocity, which the method does not keep",
+    "path left": "the tip is off its target by more than a hundredth of the path's extent (1 mm at least) or 0.05 rad",
     "task scaled": "the path is run more slowly than asked, because the limits leave no other way",
     "gain too large": "the null-space gain exceeds the estimated bound of stability for the step",
     "rates too large": "a joint rate exceeded the stated bound",
@@ -145,7 +147,9 @@ class Run:
         return np.asarray(np.linalg.norm(self.position_error, axis=1))
 
     def to_dict(self) -> dict[str, Any]:
-        """Plain values; what is not a finite number is None."""
+        """Plain values; what is not a finite number is None. ``masses`` says what the torques rest on."""
+        from chainrule.redundancy.words import masses
+
         numbers = (
             *("t", "q", "rates", "accelerations", "torque", "held", "manipulability", "determinant"),
             *("position_error", "orientation_error", "frame_errors", "null_motion", "scale"),
@@ -162,6 +166,7 @@ class Run:
             "peak_rate": _finite(self.peak_rate),
             "peak_acceleration": _finite(self.peak_acceleration),
             "peak_torque": _finite(self.peak_torque),
+            "masses": None if self.torque is None else masses(self.arm),
             "min_manipulability": _finite(self.min_manipulability),
             "worst_position_error": _finite(self.worst_position_error),
             "final_position_error": _finite(self.final_position_error),

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from chainrule.redundancy.result import Event
-from chainrule.redundancy.step import Stepper
+from chainrule.redundancy.step import Law, Stepper
 
 Array = NDArray[Any]
 
@@ -77,3 +77,12 @@ def gain_event(stepper: Stepper, integrator: str, dt: float, t: Array, q: Array,
         f"{dt:.3g} s (at worst {share.max():.3g} times, at {t[chosen[int(share.argmax())]]:.4g} s)"
     )
     return [Event(float(t[chosen[first]]), "gain too large", text)]
+
+
+def feedback_event(law: Law, integrator: str, dt: float) -> list[Event]:
+    """The event "gain too large" for feedback that the steps do not bear; none where they do."""
+    largest, bound = max(law.feedback), STABLE.get(integrator, np.inf)
+    if largest * dt <= bound:
+        return []
+    text = f"feedback of {largest:.4g} 1/s is unstable for steps of {dt:.3g} s; up to {bound / dt:.4g} is stable"
+    return [Event(0.0, "gain too large", text)]

@@ -129,12 +129,12 @@ class Law:
         object.__setattr__(self, "weights", weights)
 
     def to_dict(self) -> dict[str, Any]:
-        """The law as plain data."""
+        """The law as plain data; an infinite weight is None."""
         return {
             "gains": dict(self.gains),
             "feedback": list(self.feedback),
             "damping": self.damping.to_dict(),
-            "weights": None if self.weights is None else list(self.weights),
+            "weights": None if self.weights is None else [w if w < np.inf else None for w in self.weights],
         }
 
     def _settings(self) -> tuple[float, ...]:
@@ -216,6 +216,8 @@ class Stepper:
         self.arm, self.task = arm, arm.task_of_full_rank(task)
         self.law = Law() if law is None else law if isinstance(law, Law) else tuple(law)
         laws = (self.law,) if isinstance(self.law, Law) else self.law
+        if not laws:
+            raise InputError("law: none in the sequence; a Law, or a sequence of them, is accepted")
         for one in laws:
             if not isinstance(one, Law):
                 raise InputError(f"law: {shown(one)}; a Law, or a sequence of them, is accepted")
@@ -341,7 +343,10 @@ class Stepper:
 
     def _padded(self, secondary: tuple[ArrayLike, ArrayLike], most: int, kind: Any) -> tuple[Array, Array]:
         """The secondary task with rows of zeros, which do nothing, up to what the generated function takes."""
-        matrix, velocity = (np.asarray(a) for a in secondary)
+        pair = [np.asarray(part) for part in secondary] if isinstance(secondary, tuple | list) else []
+        if len(pair) != 2 or not all(part.dtype.kind in "iuf" for part in pair):
+            raise InputError(f"secondary: {shown(secondary)}; a Jacobian and a velocity, real numbers, are accepted")
+        matrix, velocity = pair
         rows = matrix.shape[-2] if matrix.ndim > 1 else 0
         if not 0 < rows <= most or matrix.shape[-1] != self.arm.n or velocity.shape[-1:] != (rows,):
             raise InputError(

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from chainrule.errors import InputError
+from chainrule.errors import InputError, shown
 from chainrule.inputs import real_array
 from chainrule.paths import real_number
 from chainrule.timing import JointMove, min_time
@@ -173,7 +173,9 @@ def timed(
     if given & {"speed", "acceleration"} and not length > 0.0:
         raise InputError("speed: the path has no length; a duration is accepted")
     match sorted(given):
-        case ["law"] if isinstance(law, TimeLaw):
+        case ["law"]:
+            if not isinstance(law, TimeLaw):
+                raise InputError(f"law: {shown(law)}; a TimeLaw is accepted, such as Sampled(t, share)")
             return law
         case ["duration"]:
             assert duration is not None

@@ -10,22 +10,24 @@ from numpy.typing import NDArray
 
 from chainrule.arm import Arm, checked_arm
 from chainrule.errors import InputError, shown
-from chainrule.inputs import real_array
+from chainrule.inputs import real_array, whole_number
+from chainrule.paths import real_number
 from chainrule.redundancy import starts
 from chainrule.redundancy.asked import (
     Extras,
     Push,
     Secondary,
     both,
+    check_criterion,
     check_dimension,
     gains,
     number_of_steps,
     orientation_of,
 )
 from chainrule.redundancy.batch import followable
-from chainrule.redundancy.measure import NEAR, measured
+from chainrule.redundancy.measure import END, NEAR, measured
 from chainrule.redundancy.result import Event, Run, Status
-from chainrule.redundancy.stability import STABLE, gain_event
+from chainrule.redundancy.stability import feedback_event, gain_event
 from chainrule.redundancy.step import Damping, Law, Step, Stepper
 from chainrule.redundancy.task_path import TaskPath
 from chainrule.redundancy.time_laws import positive
@@ -75,7 +77,8 @@ def track(
         path: where the tip is to be.
         q0: (n,) the start posture, rad or m; or "best", the posture of largest manipulability found at the start; or
             "followable" (also when absent): of many postures there the one from which the path can be followed with
-            the largest least manipulability, by a run of all of them together.
+            the largest least manipulability, by a run of all of them together; where the path says no orientation
+            each of them holds its own.
         task: what is held; the arm's default task when absent.
         method: "gradient_projection"; "pseudoinverse", the same without null-space motion; "priority", with a secondary
             task.
@@ -120,8 +123,7 @@ def track(
     steps = number_of_steps(path, dt)
     dt = path.duration / steps
     law = _law(method, gain, criterion, feedback, damping, weights, dt)
-    if law.gains.get("limits") and not np.isfinite(arm.limits.position).all(axis=1).any():
-        raise InputError(f"{arm.name}: criterion 'limits': no joint has two limits; an arm that has is accepted")
+    check_criterion(arm, [name for name, value in law.gains.items() if value])
     stepper = Stepper(arm, law, task)
     path, q = begin(stepper, path, q0, dt, seed)
     bound = np.pi / dt if stop_rate is None else positive(stop_rate, "stop_rate")
@@ -129,6 +131,9 @@ def track(
         if function is not None and not callable(function):
             raise InputError(f"{name}: {shown(function)}; a function of t and q is accepted")
     extras = Extras(push, secondary)
+    near = real_number(near, "near")
+    if not 0.0 <= near <= 1.0:
+        raise InputError(f"near: {near:g}; a share from 0 to 1 is accepted")
     options: dict[str, Any] = {"near": near, "gravity": gravity, "wrench": wrench}
     if limits:
         from chainrule.redundancy.limited import follow_limited
@@ -149,7 +154,9 @@ def track(
     kept, events, reason = _cut(arm, t, q, step, bound, halted)
     if kept < len(t):
         t, q, held, velocity, step = t[:kept], q[:kept], held[:kept], velocity[:kept], first(step, kept)
-    events += gain_event(stepper, integrator, dt, t, q, held) + _feedback_event(law, integrator, dt)
+    unstable = gain_event(stepper, integrator, dt, t, q, held) + feedback_event(law, integrator, dt)
+    if reason and unstable:
+        reason += f"; {unstable[-1].kind} from {unstable[-1].t:.4g} s on"
     status: Status = "stopped" if reason else "complete"
     return measured(
         arm,
@@ -163,9 +170,9 @@ def track(
         held=held,
         velocity=velocity,
         step=step,
-        events=events,
+        events=unstable + events,
         status=status,
-        reason=reason or "the end of the path was reached",
+        reason=reason or END,
         **options,
     )
 
@@ -203,6 +210,8 @@ def begin(stepper: Stepper, path: TaskPath, q0: Any, dt: float, seed: int) -> tu
     assert isinstance(law, Law)
     named = q0 is None or isinstance(q0, str)
     turns = task != "position"
+    if named and q0 not in (None, "best", "followable"):
+        raise InputError(f"q0: {shown(q0)}; joint values, 'best' or 'followable' are accepted")
     if not named:
         q = real_array(q0, "q0")
         if q.shape != (arm.n,):
@@ -210,13 +219,13 @@ def begin(stepper: Stepper, path: TaskPath, q0: Any, dt: float, seed: int) -> tu
         if turns and path.turning is None:
             path = path.holding(orientation_of(arm, q, path.dimension))
     check_dimension(arm, path)
+    if named and q0 != "best":
+        q = followable(stepper, path, dt, seed=whole_number(seed, "seed", 0))
+        own = turns and path.turning is None  # the posture's own orientation
+        return path.holding(orientation_of(arm, q, path.dimension)) if own else path, q
     held, _ = path.sample([0.0], task)
     if named:
-        if q0 not in (None, "best", "followable"):
-            raise InputError(f"q0: {shown(q0)}; joint values, 'best' or 'followable' are accepted")
-        if q0 == "best":
-            return path, starts.best(arm, task, held[0], seed=seed)
-        return path, followable(stepper, path, dt, seed=seed)
+        return path, starts.best(arm, task, held[0], seed=whole_number(seed, "seed", 0))
     missed = np.abs(stepper(q[None], held, None, dt).error)
     if missed.max(initial=0.0) > MISSED and min(law.feedback) == 0.0:
         raise InputError(
@@ -358,11 +367,3 @@ def _cut(arm: Arm, t: Array, q: Array, step: Step, bound: float, halted: str) ->
         event = Event(float(t[-1]), "not finite" if "finite" in halted else "rates too large", halted)
         return len(t), [event], f"at {event.t:.4g} s {halted}"
     return len(t), [], ""
-
-
-def _feedback_event(law: Law, integrator: str, dt: float) -> list[Event]:
-    largest, bound = max(law.feedback), STABLE.get(integrator, np.inf)
-    if largest * dt <= bound:
-        return []
-    text = f"feedback of {largest:.4g} 1/s is unstable for steps of {dt:.3g} s; up to {bound / dt:.4g} is stable"
-    return [Event(0.0, "gain too large", text)]

@@ -17,6 +17,10 @@ METHODS = {
 }
 
 
+#: Methods whose least H differ by less than this share are as far from singularities as each other.
+ALIKE = 1e-3
+
+
 def method_name(run: Run) -> str:
     """The method, and the gains of its criteria.
 
@@ -29,9 +33,11 @@ def method_name(run: Run) -> str:
     method, comma, rest = run.method.partition(",")  # "gradient_projection, least time"
     name = METHODS.get(method, method.replace("_", " "))
     gains = {} if run.law is None else {key: gain for key, gain in run.law.gains.items() if gain != 0.0}
-    if method == "gradient_projection":
-        told = " and ".join(f"{readable(float(gain))} on {key}" for key, gain in gains.items())
-        name = f"{name}, {told}" if told else "pseudoinverse"
+    told = " and ".join(f"{readable(float(gain))} on {key}" for key, gain in gains.items())
+    if method == "gradient_projection" and not told:
+        name = "pseudoinverse"
+    elif told:
+        name = f"{name}, {told}"
     return name + comma + rest
 
 
@@ -93,27 +99,47 @@ def finding(run: Run) -> str:
     if run.status != "complete":
         return f"{run.arm.name} stops at {readable(float(run.t[-1]), 3)} s: {run.reason}"
     nearest = float(run.t[run.manipulability.argmin()])
+    left, end = left_at(run), readable(float(run.t[-1]), 4)
+    did = f"follows the path in {end} s" if left is None else f"leaves the path at {readable(left, 3)} s of {end} s"
+    tip = "tip within" if left is None else "tip off by up to"
     return (
-        f"{run.arm.name} follows the path in {readable(float(run.t[-1]), 4)} s: "
+        f"{run.arm.name} {did}: "
         f"H ≥ {readable(run.min_manipulability, 3)} (least at {readable(nearest, 3)} s), {rates}, "
-        f"tip within {readable(1000.0 * run.worst_position_error, 3)} mm"
+        f"{tip} {readable(rounded(1000.0 * run.worst_position_error, 3))} mm"
     )
+
+
+def left_at(run: Run) -> float | None:
+    """When the tip left the path first, s; None if it never did.
+
+    Example:
+        >>> import chainrule as cr
+        >>> from chainrule.redundancy.step import Damping
+        >>> arm = cr.planar_3r(1.0, 0.5, 0.25)
+        >>> outwards = cr.TaskPath.line((1.0, 0.0), (2.0, 0.0), duration=1.0)
+        >>> run = cr.track(arm, outwards, [1.0, -1.5, -0.9], damping=Damping("constant", 0.1))
+        >>> 0.7 < left_at(run) < 0.8  # it reaches as far as 1.75 m
+        True
+    """
+    return next((event.t for event in run.events if event.kind == "path left"), None)
 
 
 def comparison_finding(runs: Mapping[str, Run]) -> str:
     """Several runs of one path in a sentence: who stays farthest from singularities, and who needs the lowest rates."""
-    done = {name: run for name, run in runs.items() if run.status == "complete"}
+    done = {name: run for name, run in runs.items() if run.status == "complete" and left_at(run) is None}
     if not done:
         return "No method follows the path to its end"
     if len(done) == 1:
         ((name, run),) = done.items()
         return f"Only {name} follows the path to its end: H ≥ {readable(run.min_manipulability, 3)}"
-    clear = max(done, key=lambda name: done[name].min_manipulability)
+    least = max(run.min_manipulability for run in done.values())
+    clear = [name for name, run in done.items() if run.min_manipulability >= (1.0 - ALIKE) * least]
     slow = min(done, key=lambda name: done[name].peak_rate)
     unit = rate_unit(done[slow].arm)
     rates = [done[slow].peak_rate, max(run.peak_rate for run in done.values())]
+    alike = clear[0] if len(clear) == 1 else f"{len(clear)} methods alike"
     return (
-        f"Farthest from singularities: {clear} (H ≥ {readable(done[clear].min_manipulability, 3)}). "
+        f"Farthest from singularities: {alike} (H ≥ {readable(least, 3)}). "
         f"Lowest rates: {slow} ({readable(rates[0], 3)} {unit}; the highest are {readable(rates[1], 3)})"
     )
 
@@ -135,7 +161,7 @@ def comparison_table(runs: Mapping[str, Run], costs: Sequence[float] = ()) -> Ta
     ]
     rows = []
     for k, (name, run) in enumerate(runs.items()):
-        cells: list[Cell] = [name, run.status, rounded(float(run.t[-1]))]
+        cells: list[Cell] = [name, run.status if left_at(run) is None else "path left", rounded(float(run.t[-1]))]
         cells += [rounded(run.min_manipulability), rounded(run.peak_rate)]
         cells += [None if run.peak_torque is None else rounded(run.peak_torque)] if with_torque else []
         cells += [rounded(1000.0 * run.worst_position_error), rounded(1000.0 * run.final_position_error)]

@@ -13,7 +13,7 @@ from chainrule.plot.style import svg
 from chainrule.redundancy.result import Run
 from chainrule.redundancy.samples import circle_through
 from chainrule.redundancy.track import track
-from chainrule.redundancy.words import comparison_table, masses, rate_unit
+from chainrule.redundancy.words import comparison_table, left_at, masses, rate_unit
 from chainrule.report.content import Block, Finding, Grid, Part, Picture, Prose
 from chainrule.report.context import Context
 from chainrule.report.sections import Section
@@ -34,6 +34,11 @@ def _finding(runs: dict[str, Run]) -> str:
     plain, gained = runs.values()
     stopped = [
         f"{name} stops at {readable(float(run.t[-1]), 3)} s" for name, run in runs.items() if run.status != "complete"
+    ]
+    stopped += [
+        f"{name} leaves it at {readable(left, 3)} s"
+        for name, run in runs.items()
+        if run.status == "complete" and (left := left_at(run)) is not None
     ]
     if stopped:
         return f"The circle is not followed to its end: {', '.join(stopped)}."
