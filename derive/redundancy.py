@@ -232,7 +232,7 @@ def _projected(steps: Steps, across: OrthogonalRows, vector: Vector) -> Vector:
     pairs = list(zip(across.rows, across.inverses, strict=True))
     for row, inverse in [*pairs, *reversed(pairs[:-1])]:
         share = steps.let("along", _dot(row, left) * inverse)
-        left = [steps.let("rest", entry - share * u) for entry, u in zip(left, row, strict=True)]
+        left = [steps.let("left_over", entry - share * u) for entry, u in zip(left, row, strict=True)]
     return left
 
 

@@ -10,6 +10,7 @@ from chainrule.derive import catalogue, emit
 from chainrule.derive.catalogue import Function
 from chainrule.derive.lower import Kernel
 from chainrule.derive.manifest import Places
+from chainrule.derive.program import Input
 from chainrule.derive.reference import manipulability, reference
 from chainrule.derive.write import headers, make_unit
 from chainrule.description import Description, identifier
@@ -17,16 +18,19 @@ from chainrule.description import Description, identifier
 DIGITS = 40
 COUNT = 3  # configurations in the test programs
 SAMPLED = {"joints": (0.5, 1.5)}  # ranges of the inputs in the test programs; from -1 to 1 else
+#: What is a part of another result, and may be 0: errors are relative to the largest entry of either.
+PARTS = {"null_motion": "rates"}
+#: Counts how many times what rounding can do lies between a verdict and another one: right to 1, however small it is.
+MARGIN = "margin"
 LIMIT = 512  # times epsilon: the test programs' bound on the error relative to the largest entry
 
 
-def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], None]) -> dict[str, str]:
-    """Every file of the folder, by name."""
+def folder(arm: Description, targets: Sequence[str], task: str, progress: Callable[[str], None]) -> dict[str, str]:
+    """Every file of the folder, by name; the step is along the task, if that has no more rows than there are joints."""
     model, unit = arm.model, identifier(arm.name)
     progress(f"deriving {arm.name}")
-    task = "pose" if model.family == "serial" else "position"
-    stepping = f"redundancy_{task}" in catalogue.first_use(model)
-    groups = (*catalogue.groups(model), *((f"redundancy_{task}",) if stepping else ()), "dynamics")
+    stepping = [g for g in (f"redundancy_{task}", f"priority_{task}") if g in catalogue.first_use(model)]
+    groups = (*catalogue.groups(model), *stepping, "dynamics")
     made = make_unit(Places.here(), model, groups, name=unit, prefix=unit, shared="")
     progress("computing reference values")
     functions = [f for group in groups for f in catalogue.functions(model, group)]
@@ -36,7 +40,7 @@ def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], N
         "digits": DIGITS,
         "count": COUNT,
         "limit": LIMIT,
-        "step": _step(arm, task, made.kernels) if stepping else None,
+        "step": _step(arm, task, functions, made.kernels) if stepping else None,
         **_reference_values(arm, functions, made.kernels),
     }
     files: dict[str, str] = {}
@@ -66,10 +70,21 @@ def folder(arm: Description, targets: Sequence[str], progress: Callable[[str], N
     return files
 
 
-def _step(arm: Description, task: str, kernels: Sequence[Kernel]) -> dict[str, Any]:
-    """What the templates of the step along the default task take besides the unit's name and digest."""
-    kernel = next(kernel for kernel in kernels if kernel.name == f"step_{task}")
-    ports = {port.name: port for port in kernel.inputs}
+def _step(arm: Description, task: str, functions: Sequence[Function], kernels: Sequence[Kernel]) -> dict[str, Any]:
+    """What the templates of the steps along the task take besides the unit's name and digest."""
+    named = {kernel.name: kernel for kernel in kernels}
+    ports = {port.name: port for port in named[f"step_{task}"].inputs}
+    variants = []
+    for name, function in (("step", f"step_{task}"), ("priority_step", f"priority_{task}")):
+        if function in named:
+            own = named[function].inputs
+            given = next(f.program.inputs for f in functions if f.name == function)
+            views = [
+                {**emit.port_view(port), "sample": _sample(functions, entry)}
+                for port, entry in zip(own, given, strict=True)
+            ]
+            more = [port.name for port in own if port.name not in ports]
+            variants.append({"name": name, "function": function, "ports": views, "more": more})
     limits = [joint.middle_and_narrowness for joint in arm.joints]
     names = arm.model.parameter_names
     rows = [[1.0] * arm.n, [0.0] * arm.n, [middle for middle, _ in limits], [narrow for _, narrow in limits]]
@@ -80,7 +95,8 @@ def _step(arm: Description, task: str, kernels: Sequence[Kernel]) -> dict[str, A
         "rows": ports["velocity"].size,
         "held": emit.port_view(ports["held"])["dims"],
         "held_words": " (homogeneous, row by row)" if len(ports["held"].shape) == 2 else "",
-        "ports": [emit.port_view(port) for port in kernel.inputs],
+        "variants": variants,
+        "more": named[f"priority_{task}"].inputs[3].shape[0] if len(variants) > 1 else 0,
         "settings": settings,
         "parameters": names,
         "names": ", ".join(names),
@@ -97,10 +113,13 @@ def _one_line(text: str) -> str:
 
 def _reference_values(arm: Description, functions: list[Function], kernels: Sequence[Kernel]) -> dict[str, Any]:
     """Inputs, and for each function its ports with their reference values as literals of C and Python."""
-    ports = {port.name: port for function in functions for port in function.program.inputs}
+    ports: dict[str, Input] = {}
+    for function in functions:
+        for port in function.program.inputs:
+            ports.setdefault(_sample(functions, port), port)
     generator = random.Random(arm.model.digest)
     samples = []
-    doubtful = [f for f in functions if any(output.name == "margin" for output in f.program.outputs)]
+    doubtful = [f for f in functions if any(output.name == MARGIN for output in f.program.outputs)]
 
     def one(fixed: Mapping[str, list[float]]) -> dict[str, list[float]]:
         others = {
@@ -109,7 +128,7 @@ def _reference_values(arm: Description, functions: list[Function], kernels: Sequ
         return {name: fixed.get(name, others[name]) for name in ports}
 
     def margin(sample: Mapping[str, list[float]]) -> Any:
-        return min(reference(function, sample, 15)["margin"][0] for function in doubtful)
+        return min(reference(f, _inputs(functions, f, sample), 15)[MARGIN][0] for f in doubtful)
 
     for q in _configurations(arm, functions):
         fixed = {"q": q, "parameters": list(arm.model.parameters)}
@@ -119,8 +138,30 @@ def _reference_values(arm: Description, functions: list[Function], kernels: Sequ
         {"name": name, "size": len(samples[0][name]), "shape": port.shape, "rows": [_row(s[name]) for s in samples]}
         for name, port in ports.items()
     ]
-    views = [_function(f, k, identifier(arm.name), samples) for f, k in zip(functions, kernels, strict=True)]
+    views = [
+        _function(
+            f,
+            k,
+            identifier(arm.name),
+            [_sample(functions, port) for port in f.program.inputs],
+            [_inputs(functions, f, sample) for sample in samples],
+        )
+        for f, k in zip(functions, kernels, strict=True)
+    ]
     return {"inputs": inputs, "functions": views}
+
+
+def _sample(functions: Sequence[Function], port: Input) -> str:
+    """What an input's values are called in the test programs: inputs of one name may have several shapes."""
+    shapes = list(dict.fromkeys(p.shape for f in functions for p in f.program.inputs if p.name == port.name))
+    return port.name if port.shape == shapes[0] else f"{port.name}_{'x'.join(map(str, port.shape))}"
+
+
+def _inputs(
+    functions: Sequence[Function], function: Function, sample: Mapping[str, list[float]]
+) -> dict[str, list[float]]:
+    """A function's own inputs from a sample of them all."""
+    return {port.name: sample[_sample(functions, port)] for port in function.program.inputs}
 
 
 def _configurations(arm: Description, functions: list[Function]) -> list[list[float]]:
@@ -152,13 +193,25 @@ def _row(entries: Sequence[Any]) -> str:
 
 
 def _function(
-    function: Function, kernel: Kernel, unit: str, samples: Sequence[Mapping[str, Sequence[float]]]
+    function: Function,
+    kernel: Kernel,
+    unit: str,
+    names: Sequence[str],
+    samples: Sequence[Mapping[str, Sequence[float]]],
 ) -> dict[str, Any]:
+    """A function as the test programs see it; ``names`` are those of its inputs' values."""
     values = [reference(function, sample, DIGITS) for sample in samples]
-    inputs = [emit.port_view(port) for port in kernel.inputs]
-    outputs = [{**emit.port_view(port), "rows": [_row(v[port.name]) for v in values]} for port in kernel.outputs]
+    inputs = [{**emit.port_view(port), "sample": name} for port, name in zip(kernel.inputs, names, strict=True)]
+    outputs = [
+        {
+            **emit.port_view(port),
+            "rows": [_row(v[port.name]) for v in values],
+            "part_of": PARTS.get(port.name, port.name),
+            "is_margin": port.name == MARGIN,
+        }
+        for port in kernel.outputs
+    ]
     symbol = f"{unit}_{function.name}"
-    names = [p["name"] for p in inputs]
     arguments = [f"(char *){n}" for n in names] + [f"(char *){p['name']}_all" for p in outputs]
     ports = inputs + outputs
     steps = [f"sizeof(double) * {p['size']}" for p in ports]
@@ -178,5 +231,5 @@ def _function(
         "batch_args": ", ".join(arguments),
         "batch_steps": ", ".join(steps),
         "call": ", ".join([f"{n}[i]" for n in names] + [f"{p['name']}_got" for p in outputs]),
-        "callf": ", ".join([f"{n}_f" for n in names] + [f"{p['name']}_gotf" for p in outputs]),
+        "callf": ", ".join([f"{p['name']}_f" for p in inputs] + [f"{p['name']}_gotf" for p in outputs]),
     }

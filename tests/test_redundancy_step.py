@@ -658,7 +658,8 @@ def test_c_folder_under_the_sanitizers(folder):
     program = built(place, "checked", "-O0", *strict, *sources)
     said = subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines()
     assert said[-1] == "pass"
-    for word in ("reacher_step_position ", "reacher_step ", "reacher_stepf "):
+    names = ("step_position", "priority_position", "step", "stepf", "priority_step", "priority_stepf")
+    for word in (f"reacher_{name} " for name in names):
         assert any(line.startswith(word) and line.endswith("pass") for line in said)
 
 
@@ -694,6 +695,35 @@ def test_c_step_is_the_step_in_python(folder):
         assert h == expected.manipulability
         step(ctypes.byref(law), q.ctypes.data_as(numbers), *pointers[1:3], 0.01, pointers[3], None)
         assert under.all_equal(inout, expected.q_next)
+    both = library.reacher_priority_step
+    both.restype, both.argtypes = ctypes.c_double, [*step.argtypes[:4], numbers, numbers, *step.argtypes[4:]]
+    for _ in range(50):
+        q, held, velocity = rng.uniform(-1.0, 1.0, 5), rng.uniform(-1.0, 1.0, 2), rng.normal(size=2)
+        second, wanted = np.zeros((3, 5)), np.zeros(3)
+        second[0], wanted[0] = rng.normal(size=5), 0.7
+        expected = stepper(q, held, velocity, 0.01, secondary=(second[:1], wanted[:1]))
+        inout, rates = q.copy(), np.empty(5)
+        pointers = [a.ctypes.data_as(numbers) for a in (inout, held, velocity, second, wanted, inout, rates)]
+        h = both(ctypes.byref(law), *pointers[:5], 0.01, *pointers[5:])
+        assert under.all_equal(inout, expected.q_next) and under.all_equal(rates, expected.rates)
+        assert h == expected.manipulability
+
+
+def test_c_along_another_task(tmp_path):
+    """The task is chosen; with as many rows as joints there is no secondary one; more rows are refused."""
+    arm = cr.planar("RRR", [0.5, 0.4, 0.3], name="three")
+    cr.generate(arm, tmp_path / "pose", targets=["c"], task="pose")
+    header = (tmp_path / "pose/three_step.h").read_text()
+    assert "one step of three along its pose" in header.replace("\n * ", " ") and "velocity[3]" in header
+    assert "priority" not in header
+    cr.generate(arm, tmp_path / "position", targets=["c"])
+    assert "secondary[1][3]" in (tmp_path / "position/three_step.h").read_text()
+    with pytest.raises(cr.InputError, match="'pose' has 3 rows for 2 joints"):
+        cr.generate(cr.planar("RR", [0.5, 0.4]), tmp_path / "none", task="pose")
+    if compiling.compiler() is not None:
+        names = ("three.c", "three_step.c", "three_float.c", "test_three.c")
+        said = subprocess.run([built(tmp_path / "pose", "checked", "-O0", *names)], capture_output=True, text=True)
+        assert said.stdout.splitlines()[-1] == "pass"
 
 
 def test_every_arm_with_a_step_has_one_in_c(tmp_path):

@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs cfc1ecdc9112a7a7ef153486d4c3ae94d63b8efdd39bd2aa4880fbabc789de7c.
+Made from templates/kernel.py.j2; inputs 874630eee4d04ad3128ba8b412e350b3bcf359a9a52eaa101f78a9dee8c7e7dc.
 2211 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -430,26 +430,26 @@ def step_pose(q, held, velocity, push, joints, settings):
     t304 = t303 / (t302 + (1 - t303))
     t305 = t113 + mobility3 * t262
     t306 = t257 - t249 * t262
-    t307 = t67 * mobility2 + t263 * t295 + t296 * t305 - t297 * t306
-    t308 = t258 - t250 * t262
+    t307 = t258 - t250 * t262
+    t308 = t263 * t295 + t296 * t305 - t297 * t306 + t299 * t307
     t309 = t259 - t252 * t262
     t310 = t261 - t253 * t262
-    t311 = t304 * (t307 + t299 * t308 + t300 * t309 + t301 * t310)
+    t311 = t304 * (t308 + t300 * t309 + t301 * t310 + t67 * mobility2)
     t312 = t263 - t295 * t311
     t313 = t306 + t297 * t311
-    t314 = t308 - t299 * t311
+    t314 = t307 - t299 * t311
     t315 = t309 - t300 * t311
     t316 = t248 * t312 + t249 * t313 + t250 * t314 + t252 * t315
     t317 = t310 - t301 * t311
     t318 = t305 - t296 * t311
     t319 = t256 * (t316 + t253 * t317 - mobility3 * t318)
     t320 = t312 - t248 * t319
-    t321 = t315 - t252 * t319
-    t322 = t317 - t253 * t319
-    t323 = t313 - t249 * t319
-    t324 = t314 - t250 * t319
-    t325 = t195 * t321 + t196 * t322 + t197 * t323 - t198 * t324
-    t326 = t203 * (t325 - t200 * t320)
+    t321 = t313 - t249 * t319
+    t322 = t314 - t250 * t319
+    t323 = t315 - t252 * t319
+    t324 = t197 * t321 - t200 * t320 - t198 * t322 + t195 * t323
+    t325 = t317 - t253 * t319
+    t326 = t203 * (t324 + t196 * t325)
     t327 = np.where(t137 != 0.0, mobility1 * (t320 + t200 * t326), 0.0)
     t328 = damping_nakamura * np.maximum(0.0, 1 - t55 * inverse_threshold_H)
     t329 = np.minimum(t302, np.minimum(t254, np.minimum(t201, np.minimum(t187, np.minimum(t143, t162)))))
@@ -712,10 +712,10 @@ def step_pose(q, held, velocity, push, joints, settings):
     t586 = t585 + mobility2 * (mobility2 * t564)
     t587 = np.where(t137 != 0.0, mobility3 * (t318 + mobility3 * t319), 0.0)
     t588 = t587 + mobility3 * (t567 - mobility3 * t574)
-    t589 = t323 - t197 * t326
-    t590 = t324 + t198 * t326
-    t591 = t321 - t195 * t326
-    t592 = t322 - t196 * t326
+    t589 = t321 - t197 * t326
+    t590 = t322 + t198 * t326
+    t591 = t323 - t195 * t326
+    t592 = t325 - t196 * t326
     t593 = t184 * t589 + t185 * t590 - t183 * t591 - t186 * t592
     t594 = t189 * t593
     t595 = t589 - t184 * t594

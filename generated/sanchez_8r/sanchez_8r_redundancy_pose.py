@@ -1,6 +1,6 @@
 """redundancy pose of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 26d5d75230d9d71f7369a74a284f957777f71c14a87ca9c89b82cac8e6632878.
+Made from templates/kernel.py.j2; inputs 904b4e9b8109b8b16dcdc1ba45df0423dc418c9972adaa0507249a59506c0767.
 2941 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.
@@ -560,12 +560,12 @@ def step_pose(q, held, velocity, push, joints, settings):
     t426 = t425 / (t424 + (1 - t425))
     t427 = t388 - t378 * t391
     t428 = t257 - t381 * t391
-    t429 = t295 * mobility5 + t392 * t416 + t417 * t427 + t418 * t428
-    t430 = t280 + t382 * t391
+    t429 = t280 + t382 * t391
+    t430 = t392 * t416 + t417 * t427 + t418 * t428 + t420 * t429
     t431 = t390 + t380 * t391
     t432 = t386 - t375 * t391
     t433 = t387 - t376 * t391
-    t434 = t429 + t420 * t430 + t421 * t431 + t422 * t432 + t423 * t433
+    t434 = t430 + t421 * t431 + t422 * t432 + t423 * t433 + t295 * mobility5
     t435 = t426 * t434
     t436 = t392 - t416 * t435
     t437 = t9 * mobility1
@@ -613,7 +613,7 @@ def step_pose(q, held, velocity, push, joints, settings):
     t479 = t478 / (t477 + (1 - t478))
     t480 = t427 - t417 * t435
     t481 = t428 - t418 * t435
-    t482 = t430 - t420 * t435
+    t482 = t429 - t420 * t435
     t483 = t436 * t468 + t469 * t480 - t470 * t481 + t471 * t482
     t484 = t295 - mobility5 * t435
     t485 = t431 - t421 * t435
@@ -622,36 +622,36 @@ def step_pose(q, held, velocity, push, joints, settings):
     t488 = t483 - t473 * t484 + t474 * t485 + t475 * t486 + t476 * t487
     t489 = t479 * t488
     t490 = t436 - t468 * t489
-    t491 = t484 + t473 * t489
-    t492 = t480 - t469 * t489
-    t493 = t481 + t470 * t489
-    t494 = mobility5 * t491 + t416 * t490 + t417 * t492 + t418 * t493
-    t495 = t482 - t471 * t489
+    t491 = t480 - t469 * t489
+    t492 = t481 + t470 * t489
+    t493 = t482 - t471 * t489
+    t494 = t416 * t490 + t417 * t491 + t418 * t492 + t420 * t493
+    t495 = t484 + t473 * t489
     t496 = t485 - t474 * t489
     t497 = t486 - t475 * t489
     t498 = t487 - t476 * t489
-    t499 = t494 + t420 * t495 + t421 * t496 + t422 * t497 + t423 * t498
+    t499 = t494 + mobility5 * t495 + t421 * t496 + t422 * t497 + t423 * t498
     t500 = t426 * t499
     t501 = t490 - t416 * t500
-    t502 = t497 - t422 * t500
-    t503 = t498 - t423 * t500
-    t504 = t492 - t417 * t500
-    t505 = t375 * t502 + t376 * t503 + t377 * t501 + t378 * t504
+    t502 = t491 - t417 * t500
+    t503 = t492 - t418 * t500
+    t504 = t493 - t420 * t500
+    t505 = t377 * t501 + t378 * t502 + t381 * t503 - t382 * t504
     t506 = t496 - t421 * t500
-    t507 = t493 - t418 * t500
-    t508 = t495 - t420 * t500
-    t509 = t385 * (t505 - t380 * t506 + t381 * t507 - t382 * t508)
+    t507 = t497 - t422 * t500
+    t508 = t498 - t423 * t500
+    t509 = t385 * (t505 - t380 * t506 + t375 * t507 + t376 * t508)
     t510 = t501 - t377 * t509
-    t511 = t504 - t378 * t509
-    t512 = t502 - t375 * t509
-    t513 = t503 - t376 * t509
-    t514 = t345 * t510 + t346 * t511 + t347 * t512 + t348 * t513
-    t515 = t506 + t380 * t509
-    t516 = t353 * (t514 + t350 * t515)
+    t511 = t502 - t378 * t509
+    t512 = t506 + t380 * t509
+    t513 = t507 - t375 * t509
+    t514 = t345 * t510 + t346 * t511 + t350 * t512 + t347 * t513
+    t515 = t508 - t376 * t509
+    t516 = t353 * (t514 + t348 * t515)
     t517 = t510 - t345 * t516
     t518 = t511 - t346 * t516
-    t519 = t512 - t347 * t516
-    t520 = t513 - t348 * t516
+    t519 = t513 - t347 * t516
+    t520 = t515 - t348 * t516
     t521 = t325 * t517 + t326 * t518 - t327 * t519 - t328 * t520
     t522 = t331 * t521
     t523 = t517 - t325 * t522
@@ -938,13 +938,13 @@ def step_pose(q, held, velocity, push, joints, settings):
     t804 = t527 + mobility1 * (t798 + t314 * t803)
     t805 = np.where(t313 != 0.0, mobility2 * (t524 + t315 * t526), 0.0)
     t806 = t805 + mobility2 * (t801 - t315 * t803)
-    t807 = np.where(t313 != 0.0, mobility3 * (t507 - t381 * t509), 0.0)
+    t807 = np.where(t313 != 0.0, mobility3 * (t503 - t381 * t509), 0.0)
     t808 = t807 + mobility3 * (t775 + t381 * t782)
-    t809 = np.where(t313 != 0.0, mobility4 * (t508 + t382 * t509), 0.0)
+    t809 = np.where(t313 != 0.0, mobility4 * (t504 + t382 * t509), 0.0)
     t810 = t809 + mobility4 * (t776 - t382 * t782)
-    t811 = np.where(t313 != 0.0, mobility5 * (t491 - mobility5 * t500), 0.0)
+    t811 = np.where(t313 != 0.0, mobility5 * (t495 - mobility5 * t500), 0.0)
     t812 = t811 + mobility5 * (mobility5 * t771 - t766)
-    t813 = np.where(t313 != 0.0, mobility6 * (t515 - t350 * t516), 0.0)
+    t813 = np.where(t313 != 0.0, mobility6 * (t512 - t350 * t516), 0.0)
     t814 = t813 + mobility6 * (t787 + t350 * t790)
     t815 = np.where(t313 != 0.0, mobility7 * (t525 + t316 * t526), 0.0)
     t816 = t815 + mobility7 * (t802 - t316 * t803)

@@ -20,25 +20,29 @@ def generate(
     directory: str | os.PathLike[str],
     targets: Sequence[str] = TARGETS,
     progress: Callable[[str], None] = lambda line: None,
+    *,
+    task: str | None = None,
 ) -> tuple[Path, ...]:
     """Write everything generated for an arm into ``directory``, which is made if needed.
 
     C99 for double and float (``-Wall -Wextra -Werror -pedantic`` clean, no allocation), a NumPy module, a README with
     the compile line, and test programs that compare with reference values of 40 digits. The C has the step of a
-    controller along the arm's default task, ``<arm>_step``, with its law in a struct. Files of the same names are
-    replaced; nothing else is touched; each file is written whole or not at all.
+    controller along a task, ``<arm>_step``, with its law in a struct, and with joints to spare ``<arm>_priority_step``,
+    which takes a secondary task as well. Files of the same names are replaced; nothing else is touched; each file is
+    written whole or not at all.
 
     Args:
         arm: the arm.
         directory: where to write.
         targets: ``"c"``, ``"python"`` or both.
         progress: called with one line for each step.
+        task: what the step follows; when absent the arm's default task, if that has no more rows than joints.
 
     Returns:
         The paths written.
 
     Raises:
-        InputError: an unknown target.
+        InputError: an unknown target; a task of more rows than joints.
         GenerationError: the folder cannot be written.
 
     Example:
@@ -56,7 +60,8 @@ def generate(
     from chainrule.arm import checked_arm
     from chainrule.derive import manifest, standalone
 
-    files = standalone.folder(checked_arm(arm).description, targets, progress)
+    followed = checked_arm(arm).default_task if task is None else checked_arm(arm).task_of_full_rank(task)
+    files = standalone.folder(arm.description, targets, followed, progress)
     target = Path(directory)
     try:
         for name, text in sorted(files.items()):

@@ -25,6 +25,7 @@ def generate(
     arm: ArmName,
     output: Annotated[Path, typer.Option("--output", "-o", help="The folder to write; made if needed.")],
     targets: Annotated[str, typer.Option(help="What to write: c, python, or both separated by a comma.")] = "c,python",
+    task: Annotated[str | None, typer.Option(help="What the step in C follows: position, pose or x_alpha.")] = None,
     tip: Tip = None,
     base: Base = None,
     as_json: Json = False,
@@ -37,7 +38,8 @@ def generate(
 
     loaded = load_arm(arm, tip, base)
     with progressing() as progress:
-        paths = write(loaded, output, targets=[t.strip() for t in targets.split(",") if t.strip()], progress=progress)
+        wanted = [t.strip() for t in targets.split(",") if t.strip()]
+        paths = write(loaded, output, targets=wanted, progress=progress, task=task)
     if as_json:
         print_json({"arm": loaded.name, "files": [str(path) for path in paths]})
         return
