@@ -171,6 +171,48 @@ def test_squared_rates_satisfy_the_conditions_of_first_order(arm: cr.Arm, line: 
     assert found.solutions[-1].stationarity < 1e-6
 
 
+def test_squared_accelerations_satisfy_the_conditions_of_first_order(arm: cr.Arm, line: cr.TaskPath) -> None:
+    """Their fourth differences are normal to the self-motion, and also at free ends, beyond which nothing bends."""
+    start = start_at(line, 0, 440)
+    found = cr.track_globally(arm, line, start, dt=0.05, objective="squared accelerations", fixed_start=False)
+    null = np.linalg.svd(by_hand(found.q)[1])[2][:, 2]
+    bent = np.zeros((len(found.q) + 2, 3))
+    bent[2:-2] = np.diff(found.q, 2, axis=0) / 0.05**2
+    along = np.einsum("kj,kj->k", null, np.diff(bent, 2, axis=0))
+    assert np.abs(along).max() < 1e-5
+    assert found.value == pytest.approx(float((bent**2).sum() * 0.05), rel=1e-9)
+    fixed = cr.track_globally(arm, line, start, dt=0.05, objective="squared accelerations")
+    assert fixed.value > found.value
+
+
+def test_accelerations_of_a_closed_path_go_round(arm: cr.Arm) -> None:
+    """From the last interval to the first there is one more; an optimum of those differs from one without."""
+    path = cr.TaskPath.circle((0.8, 0.0), 0.2, duration=2.0)
+    start = start_at(path, 0, 440)
+    closed = cr.track_globally(
+        arm, path, start, dt=0.1, objective="squared accelerations", cyclic=True, fixed_start=False, count=2
+    )
+    rates = np.diff(closed.q, axis=0) / 0.1
+    change = np.concatenate([np.diff(rates, axis=0), rates[:1] - rates[-1:]])
+    assert closed.value == pytest.approx(float((change**2).sum() / 0.1), rel=1e-9)
+    null = np.linalg.svd(by_hand(closed.q[:-1])[1])[2][:, 2]
+    around = np.roll(change, 1, axis=0)  # at each sample
+    bent = np.roll(around, 1, axis=0) - 2.0 * around + np.roll(around, -1, axis=0)
+    assert np.abs(np.einsum("kj,kj->k", null, bent)).max() < 1e-5
+
+
+def test_among_paths_as_good_the_smoothest(arm: cr.Arm, line: cr.TaskPath) -> None:
+    """A thousandth of the least w buys a lower peak rate, a thousandth of that one smaller accelerations."""
+    start = start_at(line, 0, 240)
+    sharp = cr.track_globally(arm, line, start, dt=0.05, slack=0.0, count=2)
+    calm = cr.track_globally(arm, line, start, dt=0.05, count=2)
+    assert (len(sharp.solutions), len(calm.solutions)) == (1, 3)
+    assert sharp.value * (1.0 - 1.1e-3) <= calm.value <= sharp.value * (1.0 + 1e-6)
+    assert calm.run.peak_rate <= sharp.run.peak_rate * (1.0 + 1e-6)
+    sizes = [float((np.diff(found.q, 2, axis=0) ** 2).sum()) for found in (calm, sharp)]
+    assert sizes[0] < 0.9 * sizes[1]
+
+
 def test_limits_of_position_rate_and_acceleration_are_kept(arm: cr.Arm, line: cr.TaskPath) -> None:
     start = start_at(line, 0, 440)
     free = cr.track_globally(arm, line, start, dt=0.05, count=3, objective="integral of criterion")

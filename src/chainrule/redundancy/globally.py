@@ -81,9 +81,10 @@ class GlobalRun:
     Attributes:
         run: the motion, with rates (q_{i+1} - q_i) / (t_{i+1} - t_i), the last one twice.
         objective: what was optimised.
-        value: of the objective: the least w, the integral of the criterion or of the squared rates, or the peak rate.
+        value: of the objective: the least w, the integral of the criterion, of the squared rates or accelerations, or
+            the peak rate.
         solutions: IPOPT's last solutions at every sample, in order: of the objective and, for "max min w", of the least
-            peak rate among paths as good.
+            peak rate among paths as good, and of the least squared accelerations among those.
         values: of the objective for each start, on the coarse mesh; nan where none was found.
         agreed: how many of them came within 0.1 % of the best of them.
         bound: (n,) the rates that were allowed, beside the limits; infinite where any were.
@@ -166,19 +167,21 @@ def track_globally(
             from too; when absent the posture of largest w found at the first target.
         t: (k,) rising times, s; with a :class:`TaskPath` they may be left out.
         task: what is held; the arm's default task when absent.
-        objective: "max min w": the largest least w = sqrt(det J J^T) over the samples but a fixed start, and among
-            paths as good the least peak rate; "integral of criterion": over time, H raised, 1/H and H^(-1/2) lowered;
-            "squared rates": the least integral of |q'|^2; "peak rate": the least largest |q'_j|. Every one but the
-            third holds a share of 0.001 of squared rates: the motion is smooth where the objective leaves it open.
+        objective: "max min w": the largest least w = sqrt(det J J^T) over the samples but a fixed start, among paths as
+            good the least peak rate, and among those the least integral of |q''|^2; "integral of criterion": over time,
+            H raised, 1/H and H^(-1/2) lowered; "squared rates" and "squared accelerations": the least integral of
+            |q'|^2 or |q''|^2; "peak rate": the least largest |q'_j|. The first, second and fourth hold a share of 0.001
+            of squared rates: the motion is smooth where the objective leaves it open.
         criterion: of the integral.
         dt: s, with a :class:`TaskPath` and no times; a 300th of the duration when absent.
         limits: whether the arm's limits of position, velocity and acceleration hold, for the differences above.
         cyclic: end in the posture of the start, revolute joints as many whole turns on as each start ends nearest to.
         fixed_start: keep the start posture; else it may move along its self-motion too.
-        slack: the share of the largest least w that is given away for a lower peak rate; 0 for none.
+        slack: the share of the largest least w that is given away for a lower peak rate, and of that peak rate for
+            smaller accelerations; 0 for none.
         most_rate: rad/s or m/s, allowed beside the limits; when absent twice the peak rate of the smoothest path found,
-            apart for revolute and prismatic joints, so that no path jumps between samples. (The two objectives of
-            rates have none.)
+            apart for revolute and prismatic joints, so that no path jumps between samples. (The objectives of rates
+            and accelerations have none.)
         count: of starts that are made here.
         seed: of their pushes along the self-motion.
         gravity: for the torques, as in ``Arm.inverse_dynamics``.
@@ -344,6 +347,8 @@ class _Search:
     def _value(self, problem: Problem, q: Array) -> float:
         if self.objective == "squared rates":
             return problem.squared_rates(q)
+        if self.objective == "squared accelerations":
+            return self._turned(problem, q).squared_accelerations(q)
         if self.objective == "peak rate":
             return float(np.abs(problem.rates(q)).max())
         _, w = problem.evaluate(q)
@@ -397,7 +402,7 @@ class _Search:
 
     def _guard(self, smoothest: Array) -> None:
         """Bound the rates by those of the smoothest path, apart for revolute and prismatic joints."""
-        if not self.guarded or self.objective in ("squared rates", "peak rate"):
+        if not self.guarded or self.objective in ("squared rates", "peak rate", "squared accelerations"):
             return
         peak = np.abs(self.coarse.rates(smoothest)).max(axis=0)
         kinds = np.array(list(self.problem.arm.kinds))
@@ -459,8 +464,21 @@ class _Search:
                 self.progress(f"least peak rate with w as large, {len(q)} samples")
                 calm, more = self._calm(problem, self.best)
                 if more.solved and np.abs(problem.rates(calm)).max() < np.abs(problem.rates(found)).max():
+                    floor = (1.0 - self.slack) * self.best.value
                     self.best = _Found(calm, self._value(problem, calm), (said, more))
+                    self._smoothed(problem, floor)
             return
+
+    def _smoothed(self, problem: Problem, floor: float) -> None:
+        """The least squared accelerations near the best path, for a least w and a peak rate as good."""
+        assert self.best is not None
+        q = self.best.q
+        self.progress(f"least accelerations with w and peak rate as good, {len(q)} samples")
+        cap = np.minimum(self.bound, (1.0 + self.slack) * np.abs(problem.rates(q)).max())
+        aim = Aim("squared accelerations", self.criterion, floor, cap, True)
+        smooth, said = solve(self._turned(problem, q), aim, q)
+        if said.solved:
+            self.best = _Found(smooth, self._value(problem, smooth), (*self.best.solutions, said))
 
     def _refined(self, q: Array) -> Array:
         """A coarse path at every sample: interpolated, and brought onto the targets."""

@@ -18,7 +18,7 @@ from chainrule.arm import Arm, Limits
 from chainrule.compile import casadi_function
 
 Array = NDArray[Any]
-Stage = Literal["max min w", "integral of criterion", "squared rates", "peak rate"]
+Stage = Literal["max min w", "integral of criterion", "squared rates", "peak rate", "squared accelerations"]
 
 #: A share of the squared rates in every other objective: among equally good paths the smoother one.
 SMOOTHING = 1e-3
@@ -86,6 +86,18 @@ class Problem:
     def squared_rates(self, q: Array) -> float:
         """The integral of the squared rates."""
         return float((self.rates(q) ** 2 * np.diff(self.t)[:, None]).sum())
+
+    @property
+    def between(self) -> Array:
+        """s, the mean of every two neighbouring intervals; on a closed path also of the last one and the first."""
+        steps = np.diff(self.t)
+        return 0.5 * (steps + np.roll(steps, -1))[: len(steps) - (self.turns is None)]
+
+    def squared_accelerations(self, q: Array) -> float:
+        """The integral of the squared accelerations."""
+        rates = self.rates(q)
+        change = np.diff(rates, axis=0) if self.turns is None else np.roll(rates, -1, axis=0) - rates
+        return float((change**2 / self.between[:, None]).sum())
 
 
 @dataclass(frozen=True)
@@ -206,6 +218,9 @@ def _objective(
     import casadi as ca
 
     steps = np.diff(problem.t)
+    if aim.stage == "squared accelerations":
+        change = _each(_change(problem, moved), 1.0 / np.sqrt(problem.between))
+        return ca.MX(0, 1), np.zeros(0), ca.sumsqr(change) / max(problem.squared_accelerations(start), 1e-12)
     smoothness = ca.sumsqr(_each(moved, 1.0 / np.sqrt(steps))) / max(problem.squared_rates(start), 1e-12)
     if aim.stage == "squared rates":
         return ca.MX(0, 1), np.zeros(0), smoothness
@@ -237,10 +252,17 @@ def _each(columns: Any, factors: Array) -> Any:
     return columns * ca.repmat(ca.DM(factors).T, columns.shape[0], 1)
 
 
-def _limits(rows: _Rows, problem: Problem, aim: Aim, moved: Any) -> None:
-    """Rates within their limits and the cap; accelerations within theirs."""
+def _change(problem: Problem, moved: Any) -> Any:
+    """The change of the rates from each interval to the next; on a closed path from the last to the first as well."""
     import casadi as ca
 
+    paced = _each(moved, 1.0 / np.diff(problem.t))
+    change = paced[:, 1:] - paced[:, :-1]
+    return change if problem.turns is None else ca.horzcat(change, paced[:, 0] - paced[:, -1])
+
+
+def _limits(rows: _Rows, problem: Problem, aim: Aim, moved: Any) -> None:
+    """Rates within their limits and the cap; accelerations within theirs."""
     steps = np.diff(problem.t)
     most = np.minimum(problem.limits.velocity, aim.cap)
     joints = [int(j) for j in np.flatnonzero(np.isfinite(most))]
@@ -250,12 +272,8 @@ def _limits(rows: _Rows, problem: Problem, aim: Aim, moved: Any) -> None:
     sharp = problem.limits.acceleration
     joints = [int(j) for j in np.flatnonzero(np.isfinite(sharp))]
     if joints:
-        paced = _each(moved[joints, :], 1.0 / steps)
-        change, between = paced[:, 1:] - paced[:, :-1], 0.5 * (steps[1:] + steps[:-1])
-        if problem.turns is not None:
-            change = ca.horzcat(change, paced[:, 0] - paced[:, -1])
-            between = np.append(between, 0.5 * (steps[0] + steps[-1]))
-        bound = (sharp[joints][:, None] * between).ravel(order="F")
+        change = _change(problem, moved)[joints, :]
+        bound = (sharp[joints][:, None] * problem.between).ravel(order="F")
         rows.add(change, -bound, bound)
 
 
