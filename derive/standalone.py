@@ -22,6 +22,8 @@ SAMPLED = {"joints": (0.5, 1.5)}  # ranges of the inputs in the test programs; f
 PARTS = {"null_motion": "rates"}
 #: Counts how many times what rounding can do lies between a verdict and another one: right to 1, however small it is.
 MARGIN = "margin"
+#: Verdicts that are 0 where rounding in double would decide them; float may decide them there, one way or the other.
+VERDICTS = ("domain", "topology")
 LIMIT = 512  # times epsilon: the test programs' bound on the error relative to the largest entry
 
 
@@ -208,6 +210,7 @@ def _function(
             "rows": [_row(v[port.name]) for v in values],
             "part_of": PARTS.get(port.name, port.name),
             "is_margin": port.name == MARGIN,
+            "is_verdict": port.name in VERDICTS,
         }
         for port in kernel.outputs
     ]
