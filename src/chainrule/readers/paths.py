@@ -158,7 +158,7 @@ def from_csv(content: bytes) -> Spline:
     reader = csv.reader(io.StringIO(text, newline=""), strict=True)
     try:
         for cells in reader:
-            entries = [cell.strip() for cell in cells]
+            entries = [entry.strip() for entry in cells]
             number = reader.line_num
             if not any(entries) or (not points and not rows and [e.lower() for e in entries] == ["x", "y"]):
                 continue

@@ -283,7 +283,7 @@ def _csv(content: bytes) -> tuple[tuple[str, ...], Array, list[int]]:
     rows: list[int] = []
     try:
         for cells in reader:
-            entries = [cell.strip() for cell in cells]
+            entries = [entry.strip() for entry in cells]
             if not any(entries):
                 continue
             if not names:
