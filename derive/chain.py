@@ -260,10 +260,11 @@ def minor_view(steps: Steps, arm: Chain, task: str) -> View:
     if task == "position":
         return View(turn, identity(3))
     a, b, c = frames_from_link(steps, arm, k).tip.p
-    lever = [[0, -c, b], [c, 0, -a], [-b, a, 0]]  # tip x: the velocity of the link's origin is v + tip x omega
+    zero = sp.Integer(0)
+    lever = [[zero, -c, b], [c, zero, -a], [-b, a, zero]]  # tip x: the link's origin moves at v + tip x omega
     move = identity(6)
     for i in range(3):
-        move[i][3:] = [sp.sympify(entry) for entry in lever[i]]
+        move[i][3:] = lever[i]
     return View([row + none for row in turn] + [none + row for row in turn], move)
 
 

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.c: kinematics of crx10ial.
- * Made from templates/kernel.c.j2; inputs e02db895fb4f47e5c74ab3678c8d852249046f82fcafea668b5a8574042db393.
+ * Made from templates/kernel.c.j2; inputs 5a1a4d8d015b476139cb7d9600556a7808a6b8fef2eeb067156f636f0edb0dbb.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char crx10ial_kinematics_digest[] = "e02db895fb4f47e5c74ab3678c8d852249046f82fcafea668b5a8574042db393";
+const char crx10ial_kinematics_digest[] = "5a1a4d8d015b476139cb7d9600556a7808a6b8fef2eeb067156f636f0edb0dbb";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* crx10ial_kinematics.h: kinematics of crx10ial.
- * Made from templates/kernel.h.j2; inputs e02db895fb4f47e5c74ab3678c8d852249046f82fcafea668b5a8574042db393.
+ * Made from templates/kernel.h.j2; inputs 5a1a4d8d015b476139cb7d9600556a7808a6b8fef2eeb067156f636f0edb0dbb.
  * 698 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

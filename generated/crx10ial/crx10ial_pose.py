@@ -1,6 +1,6 @@
 """manipulability (pose) of crx10ial, in NumPy.
 
-Made from templates/kernel.py.j2; inputs fe8f7db4f86a71afe84a11ef65c42b0350302651277485af5390891b1b1f59b6.
+Made from templates/kernel.py.j2; inputs 55b7d4c84e96f27e355e50e23bd9f9ce934c7a2e6ebc0ad64c63cdd103d17a6c.
 319 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

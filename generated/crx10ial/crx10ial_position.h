@@ -1,5 +1,5 @@
 /* crx10ial_position.h: manipulability (position) of crx10ial.
- * Made from templates/kernel.h.j2; inputs fe8f7db4f86a71afe84a11ef65c42b0350302651277485af5390891b1b1f59b6.
+ * Made from templates/kernel.h.j2; inputs 55b7d4c84e96f27e355e50e23bd9f9ce934c7a2e6ebc0ad64c63cdd103d17a6c.
  * 984 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

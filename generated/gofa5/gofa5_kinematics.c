@@ -1,5 +1,5 @@
 /* gofa5_kinematics.c: kinematics of gofa5.
- * Made from templates/kernel.c.j2; inputs db7607e5fd0cd47f8ba545dba317aa9d07aa4d2545b058f1b75b383835efe28c.
+ * Made from templates/kernel.c.j2; inputs 77ec5af2bde83c10512a434926d3132b7399245fe89b083418efb2418b8906e7.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_kinematics_digest[] = "db7607e5fd0cd47f8ba545dba317aa9d07aa4d2545b058f1b75b383835efe28c";
+const char gofa5_kinematics_digest[] = "77ec5af2bde83c10512a434926d3132b7399245fe89b083418efb2418b8906e7";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* gofa5_kinematics.h: kinematics of gofa5.
- * Made from templates/kernel.h.j2; inputs db7607e5fd0cd47f8ba545dba317aa9d07aa4d2545b058f1b75b383835efe28c.
+ * Made from templates/kernel.h.j2; inputs 77ec5af2bde83c10512a434926d3132b7399245fe89b083418efb2418b8906e7.
  * 756 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """kinematics of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs db7607e5fd0cd47f8ba545dba317aa9d07aa4d2545b058f1b75b383835efe28c.
+Made from templates/kernel.py.j2; inputs 77ec5af2bde83c10512a434926d3132b7399245fe89b083418efb2418b8906e7.
 756 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* gofa5_pose.h: manipulability (pose) of gofa5.
- * Made from templates/kernel.h.j2; inputs 6859a7a5a753a8c779793bdeceec12d03296250ea32ad41c0df82cabb556cfa9.
+ * Made from templates/kernel.h.j2; inputs 19a46f4830bd55b319121950d891878cb2720671f096ba4458529eee0f50857c.
  * 507 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* gofa5_position.c: manipulability (position) of gofa5.
- * Made from templates/kernel.c.j2; inputs 6859a7a5a753a8c779793bdeceec12d03296250ea32ad41c0df82cabb556cfa9.
+ * Made from templates/kernel.c.j2; inputs 19a46f4830bd55b319121950d891878cb2720671f096ba4458529eee0f50857c.
  * 1045 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char gofa5_position_digest[] = "6859a7a5a753a8c779793bdeceec12d03296250ea32ad41c0df82cabb556cfa9";
+const char gofa5_position_digest[] = "19a46f4830bd55b319121950d891878cb2720671f096ba4458529eee0f50857c";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of gofa5, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6859a7a5a753a8c779793bdeceec12d03296250ea32ad41c0df82cabb556cfa9.
+Made from templates/kernel.py.j2; inputs 19a46f4830bd55b319121950d891878cb2720671f096ba4458529eee0f50857c.
 1045 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

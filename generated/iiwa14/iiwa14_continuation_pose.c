@@ -1,5 +1,5 @@
 /* iiwa14_continuation_pose.c: continuation pose of iiwa14.
- * Made from templates/kernel.c.j2; inputs 4ac03310b933585d81929685518f33688ae8ed0251fc66a820a188da3b69b692.
+ * Made from templates/kernel.c.j2; inputs 52afdf81e06041abada4d18d0b5430b44c7119945475fc1d6222f9f0024c56ba.
  * 766 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_continuation_pose_digest[] = "4ac03310b933585d81929685518f33688ae8ed0251fc66a820a188da3b69b692";
+const char iiwa14_continuation_pose_digest[] = "52afdf81e06041abada4d18d0b5430b44c7119945475fc1d6222f9f0024c56ba";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """continuation pose of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 4ac03310b933585d81929685518f33688ae8ed0251fc66a820a188da3b69b692.
+Made from templates/kernel.py.j2; inputs 52afdf81e06041abada4d18d0b5430b44c7119945475fc1d6222f9f0024c56ba.
 766 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

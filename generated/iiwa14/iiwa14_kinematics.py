@@ -1,6 +1,6 @@
 """kinematics of iiwa14, in NumPy.
 
-Made from templates/kernel.py.j2; inputs ac76d7e7cdf16b1f52330c5f07d02dca710c3bb04ad7d6f118a3934b2719ac95.
+Made from templates/kernel.py.j2; inputs ef4e01d1cda97e55e2643a34b278d96d99713179d8788b08f5ad0b6dde005d6b.
 801 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

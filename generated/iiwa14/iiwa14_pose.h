@@ -1,5 +1,5 @@
 /* iiwa14_pose.h: manipulability (pose) of iiwa14.
- * Made from templates/kernel.h.j2; inputs 8202dcca1019d5ee26fa697684bdb79fe8c03729a1e880b3d9a0b89e67b1b9b3.
+ * Made from templates/kernel.h.j2; inputs c651bc750b16194a69b4fb16a3147b4955beefc4951f117b4404890e4ed85dd7.
  * 1726 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

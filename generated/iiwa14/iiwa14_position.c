@@ -1,5 +1,5 @@
 /* iiwa14_position.c: manipulability (position) of iiwa14.
- * Made from templates/kernel.c.j2; inputs 8202dcca1019d5ee26fa697684bdb79fe8c03729a1e880b3d9a0b89e67b1b9b3.
+ * Made from templates/kernel.c.j2; inputs c651bc750b16194a69b4fb16a3147b4955beefc4951f117b4404890e4ed85dd7.
  * 1362 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char iiwa14_position_digest[] = "8202dcca1019d5ee26fa697684bdb79fe8c03729a1e880b3d9a0b89e67b1b9b3";
+const char iiwa14_position_digest[] = "c651bc750b16194a69b4fb16a3147b4955beefc4951f117b4404890e4ed85dd7";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* jaco2_kinematics.c: kinematics of jaco2.
- * Made from templates/kernel.c.j2; inputs c84df799a9942c7d5bb97433ab9361bc64ded4e73af656c8e890bcae40a24ca6.
+ * Made from templates/kernel.c.j2; inputs 877d116cceea710cb04a9dcc8e044e2a80fc3ec6eac77bc800d6c1992b0822ea.
  * 949 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_kinematics_digest[] = "c84df799a9942c7d5bb97433ab9361bc64ded4e73af656c8e890bcae40a24ca6";
+const char jaco2_kinematics_digest[] = "877d116cceea710cb04a9dcc8e044e2a80fc3ec6eac77bc800d6c1992b0822ea";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """kinematics of jaco2, in NumPy.
 
-Made from templates/kernel.py.j2; inputs c84df799a9942c7d5bb97433ab9361bc64ded4e73af656c8e890bcae40a24ca6.
+Made from templates/kernel.py.j2; inputs 877d116cceea710cb04a9dcc8e044e2a80fc3ec6eac77bc800d6c1992b0822ea.
 949 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* jaco2_position.c: manipulability (position) of jaco2.
- * Made from templates/kernel.c.j2; inputs 82d2430062c370a69c265a89c831ab48441d56138623e3057bb34e9f11916f7b.
+ * Made from templates/kernel.c.j2; inputs 1ad93e3c11b867e4c607122d6c1c8fda72f2a60d9e7231f3d78e1cc06c98b3ce.
  * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char jaco2_position_digest[] = "82d2430062c370a69c265a89c831ab48441d56138623e3057bb34e9f11916f7b";
+const char jaco2_position_digest[] = "1ad93e3c11b867e4c607122d6c1c8fda72f2a60d9e7231f3d78e1cc06c98b3ce";
 #endif
 
 #define LANES 64

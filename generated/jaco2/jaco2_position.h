@@ -1,5 +1,5 @@
 /* jaco2_position.h: manipulability (position) of jaco2.
- * Made from templates/kernel.h.j2; inputs 82d2430062c370a69c265a89c831ab48441d56138623e3057bb34e9f11916f7b.
+ * Made from templates/kernel.h.j2; inputs 1ad93e3c11b867e4c607122d6c1c8fda72f2a60d9e7231f3d78e1cc06c98b3ce.
  * 1134 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

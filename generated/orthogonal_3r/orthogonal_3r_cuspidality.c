@@ -1,5 +1,5 @@
 /* orthogonal_3r_cuspidality.c: cuspidality of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs bd1b25407723bcd78969f284b51466464bdf0dc46f2fe370e3067cf6bf570fb5.
+ * Made from templates/kernel.c.j2; inputs 5115df605f1fdc3d6f77f19223b735215dc80e9e1f9a9d3ac278a83f3c8911a8.
  * 707 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_cuspidality_digest[] = "bd1b25407723bcd78969f284b51466464bdf0dc46f2fe370e3067cf6bf570fb5";
+const char orthogonal_3r_cuspidality_digest[] = "5115df605f1fdc3d6f77f19223b735215dc80e9e1f9a9d3ac278a83f3c8911a8";
 #endif
 
 #define LANES 64

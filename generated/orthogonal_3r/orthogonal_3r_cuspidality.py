@@ -1,6 +1,6 @@
 """cuspidality of orthogonal_3r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs bd1b25407723bcd78969f284b51466464bdf0dc46f2fe370e3067cf6bf570fb5.
+Made from templates/kernel.py.j2; inputs 5115df605f1fdc3d6f77f19223b735215dc80e9e1f9a9d3ac278a83f3c8911a8.
 707 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

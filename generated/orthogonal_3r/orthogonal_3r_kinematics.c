@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.c: kinematics of orthogonal_3r.
- * Made from templates/kernel.c.j2; inputs ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f.
+ * Made from templates/kernel.c.j2; inputs acb2265402e52b72edd2dd46636047fbec5ba872b074bc2fa364e334504a1dbe.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char orthogonal_3r_kinematics_digest[] = "ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f";
+const char orthogonal_3r_kinematics_digest[] = "acb2265402e52b72edd2dd46636047fbec5ba872b074bc2fa364e334504a1dbe";
 #endif
 
 #define LANES 64

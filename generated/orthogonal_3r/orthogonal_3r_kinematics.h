@@ -1,5 +1,5 @@
 /* orthogonal_3r_kinematics.h: kinematics of orthogonal_3r.
- * Made from templates/kernel.h.j2; inputs ba6ae15a7e5331bfe791ed024d8a30a230a92aece3d0e71b840bda8f3e75f53f.
+ * Made from templates/kernel.h.j2; inputs acb2265402e52b72edd2dd46636047fbec5ba872b074bc2fa364e334504a1dbe.
  * 310 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_continuation_pose.c: continuation pose of panda.
- * Made from templates/kernel.c.j2; inputs f75c9c3298541cd0302f44e0f7e4c427b9698d4b6b8851e948aac9821ab98ccf.
+ * Made from templates/kernel.c.j2; inputs ffe24ac4057667bc0fdb3af44247cd0fc4e294e285c56b3e8e7834d10a9992fb.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -13,7 +13,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_continuation_pose_digest[] = "f75c9c3298541cd0302f44e0f7e4c427b9698d4b6b8851e948aac9821ab98ccf";
+const char panda_continuation_pose_digest[] = "ffe24ac4057667bc0fdb3af44247cd0fc4e294e285c56b3e8e7834d10a9992fb";
 #endif
 
 #define LANES 32

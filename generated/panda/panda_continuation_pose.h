@@ -1,5 +1,5 @@
 /* panda_continuation_pose.h: continuation pose of panda.
- * Made from templates/kernel.h.j2; inputs f75c9c3298541cd0302f44e0f7e4c427b9698d4b6b8851e948aac9821ab98ccf.
+ * Made from templates/kernel.h.j2; inputs ffe24ac4057667bc0fdb3af44247cd0fc4e294e285c56b3e8e7834d10a9992fb.
  * 911 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_dynamics.c: dynamics of panda.
- * Made from templates/kernel.c.j2; inputs 9baae381274b7fa2dcf8ab570a06740d0e51d7faf167a819940ca4a55f634427.
+ * Made from templates/kernel.c.j2; inputs bd15a8c9134bbab55d51bc366aa09c6a4a25f11da641bc777846aa4be347c394.
  * 845 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_dynamics_digest[] = "9baae381274b7fa2dcf8ab570a06740d0e51d7faf167a819940ca4a55f634427";
+const char panda_dynamics_digest[] = "bd15a8c9134bbab55d51bc366aa09c6a4a25f11da641bc777846aa4be347c394";
 #endif
 
 #define LANES 32

@@ -1,6 +1,6 @@
 """dynamics of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 9baae381274b7fa2dcf8ab570a06740d0e51d7faf167a819940ca4a55f634427.
+Made from templates/kernel.py.j2; inputs bd15a8c9134bbab55d51bc366aa09c6a4a25f11da641bc777846aa4be347c394.
 845 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_kinematics.c: kinematics of panda.
- * Made from templates/kernel.c.j2; inputs 265798e0fc47800a8986f38af5a8f933f20d8b205316e99b01f671c6ce43d5ff.
+ * Made from templates/kernel.c.j2; inputs 3d75968c9b8709666685fb83d25a26b653448fa96f52cdbdae90d2c2a8257563.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_kinematics_digest[] = "265798e0fc47800a8986f38af5a8f933f20d8b205316e99b01f671c6ce43d5ff";
+const char panda_kinematics_digest[] = "3d75968c9b8709666685fb83d25a26b653448fa96f52cdbdae90d2c2a8257563";
 #endif
 
 #define LANES 64

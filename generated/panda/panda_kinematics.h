@@ -1,5 +1,5 @@
 /* panda_kinematics.h: kinematics of panda.
- * Made from templates/kernel.h.j2; inputs 265798e0fc47800a8986f38af5a8f933f20d8b205316e99b01f671c6ce43d5ff.
+ * Made from templates/kernel.h.j2; inputs 3d75968c9b8709666685fb83d25a26b653448fa96f52cdbdae90d2c2a8257563.
  * 1030 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* panda_position.c: manipulability (position) of panda.
- * Made from templates/kernel.c.j2; inputs 1fda47f0ef97ebb20dd742d9f3f296e25f13542cbf5088d9770fe0f2969071fa.
+ * Made from templates/kernel.c.j2; inputs e6c4c77e8f404cf284ca42a0ff2b6a23389b6d8d94d0eb61c7056142a3802c50.
  * 1522 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_position_digest[] = "1fda47f0ef97ebb20dd742d9f3f296e25f13542cbf5088d9770fe0f2969071fa";
+const char panda_position_digest[] = "e6c4c77e8f404cf284ca42a0ff2b6a23389b6d8d94d0eb61c7056142a3802c50";
 #endif
 
 #define LANES 64

@@ -1,6 +1,6 @@
 """manipulability (position) of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 1fda47f0ef97ebb20dd742d9f3f296e25f13542cbf5088d9770fe0f2969071fa.
+Made from templates/kernel.py.j2; inputs e6c4c77e8f404cf284ca42a0ff2b6a23389b6d8d94d0eb61c7056142a3802c50.
 1522 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.c: redundancy pose of panda.
- * Made from templates/kernel.c.j2; inputs 874630eee4d04ad3128ba8b412e350b3bcf359a9a52eaa101f78a9dee8c7e7dc.
+ * Made from templates/kernel.c.j2; inputs da0c610228a53b08ea4db89ad40eb469e2694046aadb32376aeecc53b7c3992f.
  * 2211 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char panda_redundancy_pose_digest[] = "874630eee4d04ad3128ba8b412e350b3bcf359a9a52eaa101f78a9dee8c7e7dc";
+const char panda_redundancy_pose_digest[] = "da0c610228a53b08ea4db89ad40eb469e2694046aadb32376aeecc53b7c3992f";
 #endif
 
 #define LANES 16

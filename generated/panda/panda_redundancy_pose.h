@@ -1,5 +1,5 @@
 /* panda_redundancy_pose.h: redundancy pose of panda.
- * Made from templates/kernel.h.j2; inputs 874630eee4d04ad3128ba8b412e350b3bcf359a9a52eaa101f78a9dee8c7e7dc.
+ * Made from templates/kernel.h.j2; inputs da0c610228a53b08ea4db89ad40eb469e2694046aadb32376aeecc53b7c3992f.
  * 2211 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,6 +1,6 @@
 """redundancy pose of panda, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 874630eee4d04ad3128ba8b412e350b3bcf359a9a52eaa101f78a9dee8c7e7dc.
+Made from templates/kernel.py.j2; inputs da0c610228a53b08ea4db89ad40eb469e2694046aadb32376aeecc53b7c3992f.
 2211 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* planar_rrr_continuation_x_alpha.h: continuation x alpha of planar_rrr.
- * Made from templates/kernel.h.j2; inputs 376ff6ff3ef38f03cbe0b8beace8644ad4eb8a94545c5a330320b3c1daed9b0d.
+ * Made from templates/kernel.h.j2; inputs f29b1b245621ebe2effe4dc47543535c5f273522534b650aa5e0573e5f938bfd.
  * 102 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* puma560_kinematics.c: kinematics of puma560.
- * Made from templates/kernel.c.j2; inputs 82ac27ef49444bd994f3b5f33ef04c2ac457b21e2b1b268f056f62248f95b110.
+ * Made from templates/kernel.c.j2; inputs dca842d5303801c628e150dba0d9bdac62d1af990563b94c54821f0df2a04558.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_kinematics_digest[] = "82ac27ef49444bd994f3b5f33ef04c2ac457b21e2b1b268f056f62248f95b110";
+const char puma560_kinematics_digest[] = "dca842d5303801c628e150dba0d9bdac62d1af990563b94c54821f0df2a04558";
 #endif
 
 #define LANES 64

@@ -1,5 +1,5 @@
 /* puma560_kinematics.h: kinematics of puma560.
- * Made from templates/kernel.h.j2; inputs 82ac27ef49444bd994f3b5f33ef04c2ac457b21e2b1b268f056f62248f95b110.
+ * Made from templates/kernel.h.j2; inputs dca842d5303801c628e150dba0d9bdac62d1af990563b94c54821f0df2a04558.
  * 511 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

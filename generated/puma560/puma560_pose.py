@@ -1,6 +1,6 @@
 """manipulability (pose) of puma560, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 3b161a89529d774eaf045145d527624208b2726691a548a3ede57c67f940f626.
+Made from templates/kernel.py.j2; inputs 9c5263d0a335170a00b1a4b41977fae67b8eb34dc3618159050b7d905fdd6b83.
 357 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* puma560_position.c: manipulability (position) of puma560.
- * Made from templates/kernel.c.j2; inputs 3b161a89529d774eaf045145d527624208b2726691a548a3ede57c67f940f626.
+ * Made from templates/kernel.c.j2; inputs 9c5263d0a335170a00b1a4b41977fae67b8eb34dc3618159050b7d905fdd6b83.
  * 298 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char puma560_position_digest[] = "3b161a89529d774eaf045145d527624208b2726691a548a3ede57c67f940f626";
+const char puma560_position_digest[] = "9c5263d0a335170a00b1a4b41977fae67b8eb34dc3618159050b7d905fdd6b83";
 #endif
 
 #define LANES 64

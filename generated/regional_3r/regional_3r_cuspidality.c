@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.c: cuspidality of regional_3r.
- * Made from templates/kernel.c.j2; inputs e1de2f40d3647cfe049b83a697e973124630346e5f7a07f28271ae656e21247d.
+ * Made from templates/kernel.c.j2; inputs 75e033e629be7085bf11ded7e3a5804c34f745dda6e84345d76a89b262b8c17c.
  * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char regional_3r_cuspidality_digest[] = "e1de2f40d3647cfe049b83a697e973124630346e5f7a07f28271ae656e21247d";
+const char regional_3r_cuspidality_digest[] = "75e033e629be7085bf11ded7e3a5804c34f745dda6e84345d76a89b262b8c17c";
 #endif
 
 #define LANES 32

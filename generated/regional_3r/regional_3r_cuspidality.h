@@ -1,5 +1,5 @@
 /* regional_3r_cuspidality.h: cuspidality of regional_3r.
- * Made from templates/kernel.h.j2; inputs e1de2f40d3647cfe049b83a697e973124630346e5f7a07f28271ae656e21247d.
+ * Made from templates/kernel.h.j2; inputs 75e033e629be7085bf11ded7e3a5804c34f745dda6e84345d76a89b262b8c17c.
  * 5743 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.c: dynamics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 0b027411a48639282fb17e1629fae724ffc8dcfbe902763144e772f862eb6f8b.
+ * Made from templates/kernel.c.j2; inputs c5629ad4629c0f6b3cc7904ac5cf595e18aa7bf1fc91449078f87085d3fb1fcd.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_dynamics_digest[] = "0b027411a48639282fb17e1629fae724ffc8dcfbe902763144e772f862eb6f8b";
+const char sanchez_8r_dynamics_digest[] = "c5629ad4629c0f6b3cc7904ac5cf595e18aa7bf1fc91449078f87085d3fb1fcd";
 #endif
 
 #define LANES 32

@@ -1,5 +1,5 @@
 /* sanchez_8r_dynamics.h: dynamics of sanchez_8r.
- * Made from templates/kernel.h.j2; inputs 0b027411a48639282fb17e1629fae724ffc8dcfbe902763144e772f862eb6f8b.
+ * Made from templates/kernel.h.j2; inputs c5629ad4629c0f6b3cc7904ac5cf595e18aa7bf1fc91449078f87085d3fb1fcd.
  * 982 operations. Do not edit: change the derivation and regenerate.
  *
  * SI units and radians; arrays row by row. Every function comes for double and, with the suffix f, for float.

@@ -1,5 +1,5 @@
 /* sanchez_8r_kinematics.c: kinematics of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs e9109ccce2d182b76c6583d7c847acff40b123e5715d86e4e87a5250bb6178b3.
+ * Made from templates/kernel.c.j2; inputs ea1915cebf250136869b75260a5279fbcc7811012321df8ff8d574ba7e264fc3.
  * 1102 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_kinematics_digest[] = "e9109ccce2d182b76c6583d7c847acff40b123e5715d86e4e87a5250bb6178b3";
+const char sanchez_8r_kinematics_digest[] = "ea1915cebf250136869b75260a5279fbcc7811012321df8ff8d574ba7e264fc3";
 #endif
 
 #define LANES 32

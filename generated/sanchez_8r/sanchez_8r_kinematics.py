@@ -1,6 +1,6 @@
 """kinematics of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs e9109ccce2d182b76c6583d7c847acff40b123e5715d86e4e87a5250bb6178b3.
+Made from templates/kernel.py.j2; inputs ea1915cebf250136869b75260a5279fbcc7811012321df8ff8d574ba7e264fc3.
 1102 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* sanchez_8r_pose.c: manipulability (pose) of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 9f0c9a53ac47cc2e0be726550f9ac8c860892b94fbcf86e0521136bbee5f5bdd.
+ * Made from templates/kernel.c.j2; inputs eeb6e159f30e282be02ccef25caa4195473462c7ef4cbbe95e0e7e7759cff87a.
  * 2947 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_pose_digest[] = "9f0c9a53ac47cc2e0be726550f9ac8c860892b94fbcf86e0521136bbee5f5bdd";
+const char sanchez_8r_pose_digest[] = "eeb6e159f30e282be02ccef25caa4195473462c7ef4cbbe95e0e7e7759cff87a";
 #endif
 
 #define LANES 16

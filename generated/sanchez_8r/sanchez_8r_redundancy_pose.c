@@ -1,5 +1,5 @@
 /* sanchez_8r_redundancy_pose.c: redundancy pose of sanchez_8r.
- * Made from templates/kernel.c.j2; inputs 904b4e9b8109b8b16dcdc1ba45df0423dc418c9972adaa0507249a59506c0767.
+ * Made from templates/kernel.c.j2; inputs a3461720e029606439d74c9aceb69ab6bcb720cd1f77b30f3d342ac79d53c7c9.
  * 2941 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char sanchez_8r_redundancy_pose_digest[] = "904b4e9b8109b8b16dcdc1ba45df0423dc418c9972adaa0507249a59506c0767";
+const char sanchez_8r_redundancy_pose_digest[] = "a3461720e029606439d74c9aceb69ab6bcb720cd1f77b30f3d342ac79d53c7c9";
 #endif
 
 #define LANES 8

@@ -1,6 +1,6 @@
 """redundancy pose of sanchez_8r, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 904b4e9b8109b8b16dcdc1ba45df0423dc418c9972adaa0507249a59506c0767.
+Made from templates/kernel.py.j2; inputs a3461720e029606439d74c9aceb69ab6bcb720cd1f77b30f3d342ac79d53c7c9.
 2941 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_kinematics.c: kinematics of ur5e.
- * Made from templates/kernel.c.j2; inputs 6745fc7f83bd47ba5a2e35bfc0c97f7c216960183b56a5c198f5cbc73e9d6473.
+ * Made from templates/kernel.c.j2; inputs 95b3eaf6da9600783965b004b6713c6e10ce165a315e7cbe37703d414cb2318a.
  * 730 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_kinematics_digest[] = "6745fc7f83bd47ba5a2e35bfc0c97f7c216960183b56a5c198f5cbc73e9d6473";
+const char ur5e_kinematics_digest[] = "95b3eaf6da9600783965b004b6713c6e10ce165a315e7cbe37703d414cb2318a";
 #endif
 
 #define LANES 64

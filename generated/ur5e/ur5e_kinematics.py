@@ -1,6 +1,6 @@
 """kinematics of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 6745fc7f83bd47ba5a2e35bfc0c97f7c216960183b56a5c198f5cbc73e9d6473.
+Made from templates/kernel.py.j2; inputs 95b3eaf6da9600783965b004b6713c6e10ce165a315e7cbe37703d414cb2318a.
 730 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

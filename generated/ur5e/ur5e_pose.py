@@ -1,6 +1,6 @@
 """manipulability (pose) of ur5e, in NumPy.
 
-Made from templates/kernel.py.j2; inputs 7188cd6e3c161394c0f9ba819cf79c3e5aca78fee49e6000b008de85c72b2555.
+Made from templates/kernel.py.j2; inputs aadd4c9853b241c514ca27ae82a3f2cb598febefd9711612d9090fdace4c3025.
 217 operations. Do not edit: change the derivation and regenerate.
 
 SI units and radians. Inputs have their own axes last; leading axes broadcast. Results keep the inputs' precision.

@@ -1,5 +1,5 @@
 /* ur5e_position.c: manipulability (position) of ur5e.
- * Made from templates/kernel.c.j2; inputs 7188cd6e3c161394c0f9ba819cf79c3e5aca78fee49e6000b008de85c72b2555.
+ * Made from templates/kernel.c.j2; inputs aadd4c9853b241c514ca27ae82a3f2cb598febefd9711612d9090fdace4c3025.
  * 836 operations. Do not edit: change the derivation and regenerate.
  *
  * Compile it for double as it is, and for float with -DCHAINRULE_FLOAT; the two can be linked together. */
@@ -9,7 +9,7 @@
 #include "../chainrule_sincos.h"
 
 #ifndef CHAINRULE_FLOAT
-const char ur5e_position_digest[] = "7188cd6e3c161394c0f9ba819cf79c3e5aca78fee49e6000b008de85c72b2555";
+const char ur5e_position_digest[] = "aadd4c9853b241c514ca27ae82a3f2cb598febefd9711612d9090fdace4c3025";
 #endif
 
 #define LANES 64
