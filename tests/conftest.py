@@ -38,6 +38,29 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture(scope="session")
+def c_compiler() -> list[str]:
+    """The C compiler's command; without one the test is left out."""
+    from chainrule import compile as compiling
+
+    found = compiling.compiler()
+    if found is None:
+        pytest.skip("no C compiler")
+    return found
+
+
+@pytest.fixture
+def call(capsys: pytest.CaptureFixture[str]) -> Callable[..., tuple[int, str, str]]:
+    """The command line with these arguments: its exit code, what it wrote, what it complained of."""
+    from chainrule import cli
+
+    def run(*arguments: Any) -> tuple[int, str, str]:
+        code = cli.run([str(a) for a in arguments])
+        return (code, *capsys.readouterr())
+
+    return run
+
+
+@pytest.fixture(scope="session")
 def report_of() -> Callable[[str], Any]:
     """An embedded arm and its report, by the arm's name; made once."""
     import chainrule as cr

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from chainrule import compile as compiling
 from chainrule.derive import emit
 from chainrule.derive.catalogue import Function
 from chainrule.derive.lower import lower
@@ -32,10 +31,8 @@ def copying(shape):
 
 
 @pytest.fixture(scope="module", params=["quads", "one by one", "float"])
-def library(request, tmp_path_factory):
+def library(request, tmp_path_factory, c_compiler):
     """The functions compiled, and their type."""
-    if (compiler := compiling.compiler()) is None:
-        pytest.skip("no C compiler")
     folder = tmp_path_factory.mktemp("batches")
     kernels = [copying(shape) for shape in SHAPES]
     for name, text in {
@@ -45,7 +42,7 @@ def library(request, tmp_path_factory):
         (folder / name).write_text(text, "utf-8")
     more = {"quads": [], "one by one": ["-DCR_HAS_QUADS=0"], "float": ["-DCHAINRULE_FLOAT"]}[request.param]
     flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O1", "-fPIC", "-shared", *more]
-    subprocess.run([*compiler, *flags, "copies.c", "-o", "copies.so", "-lm"], cwd=folder, check=True)
+    subprocess.run([*c_compiler, *flags, "copies.c", "-o", "copies.so", "-lm"], cwd=folder, check=True)
     single = request.param == "float"
     return ctypes.CDLL(str(folder / "copies.so")), "f" if single else "", np.float32 if single else np.float64
 

@@ -10,17 +10,7 @@ import pytest
 
 import chainrule as cr
 from chainrule import arms as embedded
-from chainrule import cli, papers
-
-
-@pytest.fixture
-def call(capsys):
-    def run(*arguments):
-        code = cli.run([str(a) for a in arguments])
-        out, err = capsys.readouterr()
-        return code, out, err
-
-    return run
+from chainrule import papers
 
 
 def refused(result):

@@ -6,18 +6,7 @@ import json
 
 import pytest
 
-from chainrule import cli
 from chainrule.readers import designs
-
-
-@pytest.fixture
-def call(capsys):
-    def run(*arguments):
-        code = cli.run([str(a) for a in arguments])
-        out, err = capsys.readouterr()
-        return code, out, err
-
-    return run
 
 
 def test_one_design(call, tmp_path):

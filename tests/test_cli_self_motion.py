@@ -5,13 +5,13 @@ import io
 import json
 import math
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 from PIL import Image
 
 import chainrule as cr
-from chainrule import cli
 from chainrule.plot.self_motion import animation, draw_self_motion
 from chainrule.self_motions import words
 from chainrule.self_motions.result import ENDS, limit_reason
@@ -21,13 +21,8 @@ POSTURE = "0.1,-0.5,0.3,-2.0,0.2,1.6,0.4"
 
 
 @pytest.fixture
-def call(capsys):
-    def run(*arguments):
-        code = cli.run(["self-motion", *(str(a) for a in arguments)])
-        out, err = capsys.readouterr()
-        return code, out, err
-
-    return run
+def call(call):
+    return partial(call, "self-motion")
 
 
 def tip(q):

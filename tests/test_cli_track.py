@@ -5,12 +5,12 @@ import io
 import json
 import math
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 
 import chainrule as cr
-from chainrule import cli
 from chainrule.papers import sanchez_paths as sanchez
 from chainrule.plot import redundancy as drawn
 from chainrule.plot.style import line_look
@@ -23,13 +23,8 @@ ARC = ("sanchez_8r", "--path", "sanchez-arc", "--feedback", "0", "--dt", "0.0067
 
 
 @pytest.fixture
-def call(capsys):
-    def run(*arguments):
-        code = cli.run(["track", *(str(a) for a in arguments)])
-        out, err = capsys.readouterr()
-        return code, out, err
-
-    return run
+def call(call):
+    return partial(call, "track")
 
 
 def arc(t):

@@ -366,20 +366,17 @@ def test_the_test_program_of_an_orthogonal_arm_passes(tmp_path, lengths):
     assert "number_of_postures" in done.stdout
 
 
-def test_the_c_program_of_a_design_on_a_surface_passes(tmp_path):
+def test_the_c_program_of_a_design_on_a_surface_passes(tmp_path, c_compiler):
     """Its topology is 0, undecided, in double; the float version, which cannot know that, is not held against it."""
     from subprocess import run
 
     import chainrule as cr
-    from chainrule import compile as compiling
 
-    if compiling.compiler() is None:
-        pytest.skip("no C compiler")
     arm = cr.orthogonal_3r(0.1, 1.0, 1.0, 0.01)
     assert arm.surfaces == ("E2",)
     cr.generate(arm, tmp_path, targets=["c"])
     sources = ["orthogonal_3r.c", "orthogonal_3r_step.c", "orthogonal_3r_float.c", "test_orthogonal_3r.c"]
-    run([*compiling.compiler(), "-std=c99", "-O0", *sources, "-o", "checked", "-lm"], cwd=tmp_path, check=True)
+    run([*c_compiler, "-std=c99", "-O0", *sources, "-o", "checked", "-lm"], cwd=tmp_path, check=True)
     done = run([tmp_path / "checked"], capture_output=True, text=True, check=False)
     assert done.stdout.splitlines()[-1] == "pass", done.stdout
 

@@ -3,6 +3,7 @@
 import itertools
 import json
 import math
+from functools import partial
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import chainrule as cr
-from chainrule import InputError, cli
+from chainrule import InputError
 from chainrule.goals import fastest, nearest_turns, postures, wrapped
 from chainrule.report.context import Context
 from chainrule.report.parts import timing as part
@@ -306,13 +307,8 @@ def test_bounds_are_of_joints_not_of_goals():
 
 
 @pytest.fixture
-def call(capsys):
-    def run(*arguments):
-        code = cli.run(["min-time", *(str(a) for a in arguments)])
-        out, err = capsys.readouterr()
-        return code, out, err
-
-    return run
+def call(call):
+    return partial(call, "min-time")
 
 
 def test_the_command_solves_the_exercise(call, tmp_path):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import chainrule as cr
-from chainrule import cli, outputs
+from chainrule import outputs
 from chainrule.arm import checked_arm
 from chainrule.console import angle
 from chainrule.errors import InputError
@@ -22,16 +22,6 @@ from chainrule.redundancy.samples import circle_through
 
 LINE = cr.TaskPath.line((0.6, 0.3), (1.2, 0.6), duration=1.0)
 FLAT = cr.planar_3r(1.0, 0.5, 0.25)
-
-
-@pytest.fixture
-def call(capsys):
-    def run(*arguments):
-        code = cli.run([str(a) for a in arguments])
-        out, err = capsys.readouterr()
-        return code, out, err
-
-    return run
 
 
 def process(code, **options):

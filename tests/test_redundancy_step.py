@@ -634,10 +634,8 @@ def test_groups_are_those_of_the_catalogue():
 
 
 @pytest.fixture(scope="module")
-def folder(tmp_path_factory):
+def folder(tmp_path_factory, c_compiler):
     """The C folder of an arm with few functions and three joints to spare."""
-    if compiling.compiler() is None:
-        pytest.skip("no C compiler")
     arm = cr.planar("RRPRR", [0.5, 0.4, 0.3, 0.3, 0.2], [0.0, 0.0, 0.3, 0.0, 0.0], name="reacher")
     arm = arm.with_limits(position=[(-2.0, 1.0), None, (0.0, 0.5), None, (-1.0, 1.0)])
     place = tmp_path_factory.mktemp("reacher")
@@ -736,10 +734,8 @@ def test_every_arm_with_a_step_has_one_in_c(tmp_path):
     assert not list((tmp_path / "few").glob("*_step.*"))
 
 
-def test_c_of_an_arm_that_is_always_singular(tmp_path):
+def test_c_of_an_arm_that_is_always_singular(tmp_path, c_compiler):
     """Two prismatic joints never turn the tip: H of that task is 0, its gradients too; the folder passes its test."""
-    if compiling.compiler() is None:
-        pytest.skip("no C compiler")
     cr.generate(cr.planar("PP", [0.5, 0.4], [0.0, 0.4], name="table"), tmp_path, targets=["c"])
     program = built(tmp_path, "checked", "-O0", "table.c", "table_step.c", "table_float.c", "test_table.c")
     assert subprocess.run([program], capture_output=True, text=True).stdout.splitlines()[-1] == "pass"

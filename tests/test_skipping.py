@@ -8,7 +8,6 @@ import subprocess
 import numpy as np
 import pytest
 
-from chainrule import compile as compiling
 from chainrule.derive import emit, skipping
 from chainrule.derive.catalogue import Function
 from chainrule.derive.lower import lower
@@ -126,17 +125,15 @@ def steps_in_python(a, b, c):
 
 
 @pytest.fixture(scope="module")
-def compiled(tmp_path_factory):
+def compiled(tmp_path_factory, c_compiler):
     """The C function for batches, compiled."""
-    if (compiler := compiling.compiler()) is None:
-        pytest.skip("no C compiler")
     folder = tmp_path_factory.mktemp("skipping")
     files = {**emit.shared_headers(), **emit.unit("tried", "t", "a test", [kernel(guarded)], "0" * 64, shared="")}
     for name, text in files.items():
         (folder / name).write_text(text, "utf-8")
     assert "chainrule_any" in files["tried.inc"]
     flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-O1", "-fPIC", "-shared", "-ffp-contract=off"]
-    subprocess.run([*compiler, *flags, "tried.c", "-o", "tried.so", "-lm"], cwd=folder, check=True)
+    subprocess.run([*c_compiler, *flags, "tried.c", "-o", "tried.so", "-lm"], cwd=folder, check=True)
     return ctypes.CDLL(str(folder / "tried.so")).t_f_batch
 
 

@@ -10,7 +10,6 @@ import pytest
 
 import chainrule as cr
 import chainrule.commands.workspace
-from chainrule import cli
 from chainrule.plot import draw_arm
 from chainrule.plot.style import svg
 from chainrule.plot.workspace import draw_workspace, outline
@@ -33,16 +32,6 @@ position = [0, 90]
 [[joints]]
 position = [0, 0]
 """
-
-
-@pytest.fixture
-def call(capsys):
-    def run(*arguments):
-        code = cli.run([str(a) for a in arguments])
-        out, err = capsys.readouterr()
-        return code, out, err
-
-    return run
 
 
 @pytest.fixture
